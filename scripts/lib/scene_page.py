@@ -1,26 +1,45 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The tables of keys of src/scene/README.md, and what a phrase about accepted values means: in a cell of the page or in a message of the
-reader."""
-import collections
-import fractions
-import re
+reader.
 
+usage: scene_page.py [--check]       write the tables into the page, or say whether they are what the table of keys gives
+"""
+import fractions
+import os
+import re
+import sys
+
+import scene_keys
+
+PAGE = os.path.join(scene_keys.ROOT, "src", "scene", "README.md")
+TABLE = re.compile(r"(<!-- keys of: (\S+) -->\n)((?:\|.*\n)+)")
 COUNTLESS = 10**9  # bounds of counts from here on are those of the machine's integers
 NOUNS = ("map", "list", "name", "text", "number", "word", "duration")
 
-Row = collections.namedtuple("Row", "key of accepted default")
-
-
 def tables(text):
-    """Rows of each table of keys, by the name in the comment before it."""
+    """Rows of each table of keys of a page, by the name in the comment before it."""
     found = {}
-    for name, table in re.findall(r"<!-- keys of: (\S+) -->\n((?:\|.*\n)+)", text):
+    for _, name, table in TABLE.findall(text):
         cells = [[cell.strip() for cell in line.strip("|\n").split(" | ")] for line in table.splitlines()]
-        heads = [head.strip() for head in cells[0]]
-        rows = [dict(zip(heads, [cell.strip() for cell in row])) for row in cells[2:]]
-        found[name] = [Row(re.sub("`", "", row["key"]), re.split(", ", row.get("of", "all")), row["type and range"],
-                           row["default"]) for row in rows]
+        rows = [dict(zip(cells[0], row)) for row in cells[2:]]
+        found[name] = [scene_keys.Row(row["key"].strip("`"), row.get("of", "all").split(", "), row["type and range"], row["unit"],
+                                      row["default"], row["meaning"]) for row in rows]
     return found
+
+
+def table(rows):
+    """The lines of a table; the column `of` only where kinds differ."""
+    kinds_differ = any(row.of != ["all"] for row in rows)
+    heads = ["key", *["of"] * kinds_differ, "type and range", "unit", "default", "meaning"]
+    lines = [[f"`{row.key}`", *[", ".join(row.of)] * kinds_differ, row.accepted, row.unit, row.default, row.meaning] for row in rows]
+    return "".join(["| " + " | ".join(heads) + " |\n", "|" + "---|" * len(heads) + "\n"] + ["| " + " | ".join(line) + " |\n" for line in lines])
+
+
+def written(text, maps):
+    """The page with the tables of these maps."""
+    assert sorted(name for _, name, _ in TABLE.findall(text)) == sorted(maps), "each map has one table in the page"
+    return TABLE.sub(lambda found: found[1] + table(maps[found[2]]), text)
 
 
 def limits(phrase):
@@ -84,3 +103,13 @@ def kinds(phrase):
 def listed_words(accepted):
     """The words that may stand in a list: "list of `x`, `y`"."""
     return set(re.findall(r"`([\w-]+)`", accepted)) if accepted.startswith("list of `") else set()
+
+
+def main():
+    with open(PAGE, encoding="utf-8") as stream:
+        text = written(stream.read(), scene_keys.maps())
+    sys.exit(scene_keys.update(PAGE, text, "--check" in sys.argv[1:], "scene_page.py"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,25 +1,25 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The JSON Schema of scenes, from the tables of keys of src/scene/README.md (tests/run/scene_reference_test.py holds these against
-the reader). Editors complete and check scenes with it: `# yaml-language-server: $schema=PATH` in the first line of a scene.
+"""The JSON Schema of scenes, from the table of keys. Editors complete and check scenes with it:
+`# yaml-language-server: $schema=PATH` in the first line of a scene.
 
-usage: scene_schema.py [--check]       write src/scene/scene.schema.json, or say whether it is what the tables give
+usage: scene_schema.py [--check]       write src/scene/scene.schema.json, or say whether it is what the table gives
 """
 import json
 import os
 import re
 import sys
 
+import scene_keys
 import scene_page
 
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-
-PAGE, SCHEMA = os.path.join(ROOT, "src", "scene", "README.md"), os.path.join(ROOT, "src", "scene", "scene.schema.json")
+SCHEMA = os.path.join(scene_keys.ROOT, "src", "scene", "scene.schema.json")
 BODIES = ("box", "cylinder", "sphere", "tube", "torus", "plate")
 NAMED = ("materials", "parts", "sets")  # maps from names to the maps of their tables
 NAME = {"type": ["string", "integer"]}  # blocks and sets may be named by numbers
 VECTOR = {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}
 ROTATION = "mesh.rotate"
+KINDS = {"materials.eos": "model", "mesh.BODY.nose": "shape"}  # the key that decides which others a map has
 
 
 def number(kind, low, low_in, high, high_in):
@@ -72,31 +72,24 @@ def one_of_each(rows):
 
 
 class Schema:
-    def __init__(self, page):
-        self.tables = scene_page.tables(page)
-        self.meanings = {(name, cells[0].strip("`")): cells for name, table in re.findall(r"<!-- keys of: (\S+) -->\n((?:\|.*\n)+)", page)
-                         for cells in ([cell.strip() for cell in line.strip("|\n").split(" | ")] for line in table.splitlines()[2:])}
+    def __init__(self, tables):
+        self.tables = tables
 
     def of_map(self, table, of="all"):
         """The object of one table, with the rows of `of` where they differ."""
         rows = [row for row in self.tables[table] if "all" in row.of or of in row.of]
         found = {"type": "object", "additionalProperties": False, "properties": {row.key: self.of_key(table, row) for row in rows}}
-        if table == "mesh.BODY" and of == "tube":  # with `sector` it may be 0
-            found["properties"]["inner_radius"] = {**found["properties"]["inner_radius"], **number("number", 0, True, float("inf"), False)}
-            found["properties"]["inner_radius"].pop("exclusiveMinimum")
-        always = [row for row in rows if not self.meanings[table, row.key][-1].startswith("Of ")]  # of one shape alone
-        if required := [row.key for row in always if row.default == "required"]:
+        if required := [row.key for row in rows if row.default == "required"]:
             found["required"] = required
-        if groups := one_of_each(always):
+        if groups := one_of_each(rows):
             found["allOf"] = [{"anyOf": [{"required": [key]} for key in group]} for group in groups]
         return found
 
     def of_key(self, table, row):
         path = row.key if table == "scene" else f"{table}.{row.key}"
         alternatives = [single(kind, row.accepted, self.inner(path, row)) for kind in sorted(scene_page.kinds(row.accepted), key=str)]
-        meaning = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", self.meanings[table, row.key][-1]).replace("`", "")
-        unit = self.meanings[table, row.key][-3]
-        described = {"description": meaning + (f" [{unit}]" if unit not in ("-", "") else "")}
+        meaning = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row.meaning).replace("`", "")
+        described = {"description": meaning + (f" [{row.unit}]" if row.unit != "-" else "")}
         return {**described, **(alternatives[0] if len(alternatives) == 1 else {"anyOf": alternatives})}
 
     def inner(self, path, row):
@@ -112,8 +105,8 @@ class Schema:
             return entry
         if path == "materials":
             return self.materials()
-        if path == "materials.eos":
-            return {"anyOf": [self.of_model(path, model) for model in ("mie_gruneisen", "linear_polynomial")]}
+        if path in KINDS:
+            return {"anyOf": [self.of_kind(path, KINDS[path], word) for word in self.words(path, KINDS[path])]}
         if path == "curves":
             points = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
             return {"type": "object", "additionalProperties": {"type": "array", "items": points, "minItems": 1}}
@@ -121,36 +114,30 @@ class Schema:
             return {"type": "object", "additionalProperties": self.of_map(path)}
         return self.of_map(path) if path in self.tables and row.key not in BODIES else None
 
-    def of_model(self, table, model):
-        found = self.of_map(table, model)
-        found["properties"]["model"] = {"const": model}
+    def words(self, table, key):
+        """The words of a key, in the order of the table."""
+        return re.findall("`([^`]+)`", next(row.accepted for row in self.tables[table] if row.key == key))
+
+    def of_kind(self, table, key, word):
+        """The object of one kind, which a word of this key names."""
+        found = self.of_map(table, word)
+        found["properties"][key] = {"const": word}
         return found
 
     def materials(self):
-        rows = {row.key: row for row in self.tables["materials"]}
-        models = sorted(next(iter(scene_page.kinds(rows["model"].accepted))))
-        chosen = [{"if": {"properties": {"model": {"const": model}}}, "then": self.of_model("materials", model)} for model in models]
+        chosen = [{"if": {"properties": {"model": {"const": model}}}, "then": self.of_kind("materials", "model", model)}
+                  for model in sorted(self.words("materials", "model"))]
+        row = next(row for row in self.tables["materials"] if row.key == "model")
         return {"type": "object", "additionalProperties": {"type": "object", "required": ["model"], "allOf": chosen,
-                                                           "properties": {"model": self.of_key("materials", rows["model"])}}}
+                                                           "properties": {"model": self.of_key("materials", row)}}}
 
     def whole(self):
         return {"$schema": "http://json-schema.org/draft-07/schema#", "title": "A scene of Brunt", **self.of_map("scene")}
 
 
-def text_of_schema():
-    with open(PAGE, encoding="utf-8") as stream:
-        return json.dumps(Schema(stream.read()).whole(), indent=1) + "\n"
-
-
 def main():
-    text = text_of_schema()
-    if "--check" in sys.argv[1:]:
-        with open(SCHEMA, encoding="utf-8") as stream:
-            same = stream.read() == text
-        print("scene.schema.json " + ("is what the tables give" if same else "is stale: run scripts/lib/scene_schema.py"))
-        sys.exit(0 if same else 1)
-    with open(SCHEMA, "w", encoding="utf-8") as stream:
-        stream.write(text)
+    text = json.dumps(Schema(scene_keys.maps()).whole(), indent=1) + "\n"
+    sys.exit(scene_keys.update(SCHEMA, text, "--check" in sys.argv[1:], "scene_schema.py"))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include "app/program/commands.hpp"
 #include "comm/native.hpp"
 #include "core/simd.hpp"
+#include "info_keys.hpp"
 
 namespace brunt::app {
 
@@ -16,8 +17,12 @@ std::string version() {
   return "brunt " BRUNT_VERSION;
 }
 
-int info(const comm::Communicator& ranks) {
+int info(const comm::Communicator& ranks, const InfoOptions& options) {
   if (!ranks.is_root()) return 0;
+  if (options.keys) {
+    fmt::print("{}", options.json ? keys_as_json() : keys_as_text());
+    return 0;
+  }
   char mpi[MPI_MAX_LIBRARY_VERSION_STRING];
   int length = 0;
   MPI_Get_library_version(mpi, &length);

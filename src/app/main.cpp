@@ -210,6 +210,14 @@ void add_depth(CLI::App& program, app::DepthOptions& options, Command& chosen) {
       [&] { chosen = [&](const comm::Communicator& ranks) { return app::depth_command(ranks, options); }; });
 }
 
+void add_info(CLI::App& program, app::InfoOptions& options, Command& chosen) {
+  CLI::App* info = program.add_subcommand("info", "Print version, libraries, limits, elements and materials");
+  CLI::Option* keys = info->add_flag("--keys", options.keys,
+                                     "Print every key of a scene instead: type and range, unit, default and meaning");
+  info->add_flag("--json", options.json, "With --keys: print JSON, for programs")->needs(keys);
+  info->callback([&] { chosen = [&](const comm::Communicator& ranks) { return app::info(ranks, options); }; });
+}
+
 /// CLI11 would only report that a command is missing.
 bool names_unknown_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return false;
@@ -252,15 +260,14 @@ int run_command(const comm::Communicator& ranks, int argc, char** argv) {
   app::CompareOptions compare;
   app::SearchOptions search;
   app::DepthOptions depth;
+  app::InfoOptions info;
   add_run(program, run, chosen);
   add_check(program, check, chosen);
   add_partition(program, partition, chosen);
   add_compare(program, compare, chosen);
   add_search(program, search, chosen);
   add_depth(program, depth, chosen);
-  program.add_subcommand("info", "Print version, libraries, limits, elements and materials")->callback([&] {
-    chosen = app::info;
-  });
+  add_info(program, info, chosen);
   if (names_unknown_command(program, argc, argv)) {
     if (ranks.is_root()) fmt::print(stderr, "brunt: unknown command '{}'; see brunt --help\n", excerpt(argv[1]));
     return 2;

@@ -10,22 +10,23 @@ METAL = {"model": "johnson_cook", "density": 7800, "young": 2.0e11, "poisson": 0
 # Sections that are one map.
 SINGLE = ("gravity", "damping", "relaxation", "enforcement", "run", "output", "history", "checkpoint", "guards", "search", "solver", "scaling")
 # Sections that are lists of maps.
-LISTS = ("initial", "fixed", "symmetry", "prescribed", "pressure", "forces", "traction", "remove", "rigid_walls", "contact", "probes")
+LISTS = ("initial", "fixed", "symmetry", "prescribed", "pressure", "forces", "traction", "remove", "rigid_walls", "joints", "contact", "probes")
 
 # By map: what decides which keys it has (the column `of` of the page), with the keys that say so; there may be several for one `of`.
 CONTEXTS = {
     "mesh": [("all", {"file": "none.msh"}), ("all", {})],
     "mesh.BODY": [(body, {}) for body in BODIES],
-    "mesh.BODY.nose": [("all", {"shape": "blunt"}), ("all", {"shape": "hemisphere"}), ("all", {"shape": "cone"}),
-                       ("all", {"shape": "cone", "tip_radius": 0.5, "length": 1}), ("all", {"shape": "ogive", "tip_radius": 0.5})],
+    "mesh.BODY.nose": [(shape, {"shape": shape}) for shape in ("blunt", "hemisphere", "cone", "ogive")]
+                      + [("cone", {"shape": "cone", "tip_radius": 0.5, "length": 1}), ("ogive", {"shape": "ogive", "tip_radius": 0.5})],
     "materials": [(model, {"model": model}) for model in MODELS]
                  + [(model, {"model": model, "eos": GAS}) for model in ("johnson_cook", "piecewise_linear", "hydrodynamic")]
                  + [("neo_hookean", {"model": "neo_hookean", "bulk": 1})],
     "materials.eos": [("mie_gruneisen", {"model": "mie_gruneisen"}), ("linear_polynomial", {"model": "linear_polynomial"})],
     "contact": [("all", {}), ("all", {"between": ["a", "b"]}), ("all", {"between": ["a", "b"], "method": "mortar"})],
+    "joints": [("all", {}), ("all", {"type": "revolute"})],
     "prescribed": [("all", {}), ("all", {"displacement": "none"}), ("all", {"acceleration": "none"})],
     "probes": [("all", {}), ("all", {"node": 1}), ("all", {"part": "a"}), ("all", {"part": "a", "field": "angular_momentum"}),
-               ("all", {"near": [0, 0, 0]})],
+               ("all", {"near": [0, 0, 0]}), ("all", {"joint": "none"})],
     "probes.section": [("all", {}), ("all", {"set": "none"})],
     "solver": [("all", {"scheme": "hht"})],
 }

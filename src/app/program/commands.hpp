@@ -42,7 +42,11 @@ int search(const comm::Communicator& ranks, const SearchOptions& options);
 /// Penetration depth of two surfaces, or of the parts of a scene: see depth_options.hpp.
 int depth_command(const comm::Communicator& ranks, const DepthOptions& options);
 
-int info(const comm::Communicator& ranks);
+struct InfoOptions {
+  bool keys = false;  ///< the keys of a scene, instead of version and libraries
+  bool json = false;  ///< of keys: for programs
+};
+int info(const comm::Communicator& ranks, const InfoOptions& options);
 std::string version();
 
 }  // namespace brunt::app

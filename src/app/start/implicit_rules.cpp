@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 #include <variant>
 
 #include "comm/linear_system.hpp"
@@ -15,18 +13,7 @@
 namespace brunt::app {
 namespace {
 
-/// Keys of explicit scenes, and their fault in an implicit one.
-constexpr std::array<std::pair<const char*, const char*>, 8> explicit_keys{{
-    {"search", "invalid in an implicit scene, whose facets are searched by trees; expected no search"},
-    {"run.cfl", "invalid in an implicit scene, which has no stable step; expected solver.step"},
-    {"run.step_bound", "invalid in an implicit scene, which has no stable step; expected solver.step"},
-    {"run.step", "invalid in an implicit scene; expected solver.step"},
-    {"run.min_step_ratio", "invalid in an implicit scene; expected solver.min_step"},
-    {"enforcement", "invalid in an implicit scene, whose contact has no rate constraint; expected no enforcement"},
-    {"relaxation", "invalid in an implicit scene; expected solver.scheme: static for a static solution"},
-    {"damping", "invalid in an implicit scene; expected solver.scheme: hht, which damps the high frequencies"},
-}};
-
+/// The kernels must have tangents.
 void check_part(const scene::Input& input, const model::ElementBlock& block, std::vector<std::string>& faults) {
   const std::string key = "parts." + block.part;
   if (material::is_rigid(block.law)) return;
@@ -39,25 +26,12 @@ void check_part(const scene::Input& input, const model::ElementBlock& block, std
     faults.push_back(fmt::format(
         "{}: invalid material {}: its law has no tangent; expected elastic, j2 or neo_hookean in an implicit scene",
         input.at(key + ".material"), block.material));
-  if (block.erosion)
-    faults.push_back(fmt::format("{}: invalid in an implicit scene; expected no erosion", input.at(key + ".erosion")));
 }
 
-/// Rigid parts: limits of schemes, mortar contact and walls.
-void check_bodies(const scene::Input& input, const model::Model& model, std::vector<std::string>& faults) {
-  if (model.bodies.empty()) return;
+/// Pairs whose slave is rigid; the slave may follow from the mesh.
+void check_pairs(const model::Model& model, std::vector<std::string>& faults) {
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
   const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
-  const model::Scheme scheme = input.implicit->scheme;
-  if (scheme == model::Scheme::statics &&
-      std::ranges::all_of(model.blocks, [](const model::ElementBlock& block) { return material::is_rigid(block.law); }))
-    faults.push_back(fmt::format(
-        "{}: invalid scheme: all parts are rigid, and nothing deforms; expected contact_implicit, or a deformable part",
-        input.at("solver.scheme")));
-  if (scheme == model::Scheme::newmark || scheme == model::Scheme::hht)
-    faults.push_back(
-        fmt::format("{}: invalid scheme for rigid parts: it cannot rotate them; expected contact_implicit or static",
-                    input.at("solver.scheme")));
   for (const contact::MortarPair& pair : model.mortar)
     if (rigid(pair.slave) && rigid(pair.master))
       faults.push_back(fmt::format(
@@ -81,40 +55,9 @@ std::string cause_of_given_in_statics(const model::Model& model) {
 
 std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model) {
   std::vector<std::string> faults;
-  if (!input.implicit) {
-    for (std::size_t k = 0; k < input.contact.size(); ++k)
-      if (input.contact[k].mortar)
-        faults.push_back(
-            fmt::format("{}: invalid method: mortar contact exists in implicit scenes only; expected method: rate (the "
-                        "default) or another explicit one, or solver: implicit",
-                        input.at(fmt::format("contact.{}.method", k))));
-    return faults;
-  }
-  for (const auto& [key, why] : explicit_keys)
-    if (input.places.has(key)) faults.push_back(fmt::format("{}: {}", input.at(key), why));
+  if (!input.implicit) return faults;
   for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
-  check_bodies(input, model, faults);
-  if (!model.removals.empty())
-    faults.push_back(fmt::format("{}: invalid in an implicit scene; expected no removals", input.at("remove")));
-  for (std::size_t w = 0; w < model.walls.size(); ++w)
-    if (const contact::FrictionLaw& law = model.walls[w].friction; law.kinetic != law.fixed || law.lag > 0)
-      faults.push_back(fmt::format("{}: invalid friction of a wall in an implicit scene; expected one coefficient >= 0",
-                                   input.at(fmt::format("rigid_walls.{}.friction", w))));
-  for (std::size_t k = 0; k < input.contact.size(); ++k)
-    if (input.contact[k].mortar && !input.contact[k].tied &&
-        input.contact[k].initial_overlap == contact::OverlapRule::offset)
-      faults.push_back(
-          fmt::format("{}: invalid initial_overlap: offset in an implicit scene; expected error, warn, move or place",
-                      input.at(fmt::format("contact.{}.initial_overlap", k))));
-  for (std::size_t k = 0; k < input.contact.size(); ++k)
-    if (input.contact[k].consistent && input.implicit->scheme != model::Scheme::statics)
-      faults.push_back(fmt::format("{}: invalid without scheme: static; expected consistent: false",
-                                   input.at(fmt::format("contact.{}.consistent", k))));
-  for (std::size_t k = 0; k < input.contact.size(); ++k)
-    if (!input.contact[k].mortar)
-      faults.push_back(fmt::format(
-          "{}: invalid contact in an implicit scene; expected {{between: [a, b], method: mortar}}, or [a, a]",
-          input.at(fmt::format("contact.{}", k))));
+  check_pairs(model, faults);
   if (model.books_interface)
     faults.push_back(fmt::format(
         "{}: invalid probe of energy for parts that share nodes in an implicit scene; expected other probes",

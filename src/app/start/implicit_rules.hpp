@@ -10,7 +10,8 @@
 
 namespace brunt::app {
 
-/// Includes the faults of explicit scenes with keys of implicit ones. The same on all ranks.
+/// Elements, laws and pairs that implicit steps cannot have; what needs no mesh is judged when the scene is read
+/// (scene/rules). The same on all ranks.
 std::vector<std::string> faults_of_implicit(const scene::Input& input, const model::Model& model);
 
 /// Notes on the treatment of overlaps with initial_overlap: warn, a line for each entry that has it.

@@ -94,7 +94,7 @@ struct Placer {
         "by {}; expected at most {:g} times the overlap: correct the positions or sizes of the parts, or set limit to "
         "the largest displacement that is intended",
         input.at(scene::contact_key(input, one, other)), one, length(far.motion), other, length(far.overlap),
-        most_overlaps);
+        scene::most_overlaps);
   }
   [[nodiscard]] std::string admitted(const FarMotion& far) const {
     return fmt::format(

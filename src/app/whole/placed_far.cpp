@@ -89,7 +89,7 @@ std::optional<FarMotion> placed_far(const SceneAssembly& scene, const setup::Ini
   }
   std::optional<FarMotion> worst;
   for (const auto& [member, far] : least) {
-    if (!judged[member] || !(far.motion > most_overlaps * far.overlap)) continue;
+    if (!judged[member] || !(far.motion > scene::most_overlaps * far.overlap)) continue;
     const auto more = [&](const FarMotion& than) {  // of two that move apart, the one that moves more itself
       const double here = far.motion * than.overlap, there = than.motion * far.overlap;
       return here > there || (here == there && answer.farthest[member] > answer.farthest[than.member]);

@@ -10,11 +10,6 @@
 
 namespace brunt::app {
 
-/// Default of `limit`: a part moves at most this multiple of the overlap, relative to the part that it overlaps.
-/// Measured: pins that stay in their bores move by up to 1.3 overlaps, parts of cases/placed_assembly that turn by up
-/// to 3; pins that leave their bores by 12 and more (tests/run/place_fits_test.py -v).
-constexpr double most_overlaps = 5;
-
 /// A member and a member that it overlaps, as the mesh has them.
 struct FarMotion {
   std::size_t member = 0, other = 0;
@@ -25,8 +20,8 @@ struct FarMotion {
 };
 
 /// The member that the motions carry farthest, in units of the overlap, out of all members that it overlaps; none
-/// beyond `most_overlaps`. A member is judged by the neighbour beside which it moves least: a row of parts that are
-/// pushed apart one after the other moves far as a whole, and each part little beside the next. Of two members the
+/// beyond `scene::most_overlaps`. A member is judged by the neighbour beside which it moves least: a row of parts that
+/// are pushed apart one after the other moves far as a whole, and each part little beside the next. Of two members the
 /// smaller counts of the relative displacement and of that which the member's own one implies: a neighbour that other
 /// overlaps push aside slides along a member, far but not out of it.
 ///

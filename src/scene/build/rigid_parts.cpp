@@ -19,10 +19,6 @@ std::string reported(const Input& input, const std::string& key, fmt::format_str
   return fmt::format("{}: {}", input.at(key), fmt::format(what, std::forward<Values>(values)...));
 }
 
-bool turns(const Fixed& entry) {
-  return std::ranges::find(entry.turns, true) != entry.turns.end();
-}
-
 /// The body of each node, by the block of the part that leads it; the first node of two bodies is reported.
 class BodyOfNode {
  public:
@@ -224,53 +220,6 @@ void build_supports(const Input& input, const mesh::LocalMesh& mesh, model::Rigi
   }
 }
 
-/// The degrees of freedom that entries of one list give to a part, as in `dofs`.
-std::string dof_name(int dof) {
-  return fmt::format("{}{}", dof < 3 ? "" : "r", "xyz"[dof % 3]);
-}
-
-/// Probes of fields that only rigid bodies have, and of sections, which they do not have.
-void check_probes(const Input& input, std::vector<std::string>& faults) {
-  for (std::size_t k = 0; k < input.probes.size(); ++k) {
-    const Probe& probe = input.probes[k];
-    const bool of_body = probe.field == "rotation" || probe.field == "angular_velocity" || probe.field == "force" ||
-                         probe.field == "moment" || probe.field == "reaction_moment";
-    if (of_body && probe.kind != Probe::Kind::joint && !names_rigid_part(input, probe.where))
-      faults.push_back(
-          reported(input, fmt::format("probes.{}.field", k),
-                   "invalid field '{}': it exists for rigid parts only, and '{}' is deformable; expected displacement, "
-                   "velocity, position, reaction, mass, center, momentum, angular_momentum or energy",
-                   probe.field, excerpt(probe.where)));
-    for (const std::string& part : probe.parts)
-      if (names_rigid_part(input, part))
-        faults.push_back(reported(input, fmt::format("probes.{}.section", k),
-                                  "invalid part '{}': a rigid part has no internal forces; expected a deformable part",
-                                  excerpt(part)));
-  }
-}
-
-/// A degree of freedom that is driven twice, or driven and fixed.
-void refuse_two_supports(const Input& input, std::vector<std::string>& faults) {
-  for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
-    const Prescribed& entry = input.prescribed[k];
-    if (!names_rigid_part(input, entry.where)) continue;
-    const auto clash = [&](const char* list, std::size_t other) {
-      faults.push_back(reported(
-          input, fmt::format("prescribed.{}", k),
-          "invalid motion: {} of '{}' is also constrained by {}.{}; expected one entry for each degree of freedom",
-          dof_name(entry.dof), excerpt(entry.where), list, other));
-    };
-    for (std::size_t other = 0; other < k; ++other)
-      if (input.prescribed[other].where == entry.where && input.prescribed[other].dof == entry.dof)
-        clash("prescribed", other);
-    for (std::size_t other = 0; other < input.fixed.size(); ++other) {
-      const Fixed& fixed = input.fixed[other];
-      const auto c = static_cast<std::size_t>(entry.dof % 3);
-      if (fixed.where == entry.where && (entry.dof < 3 ? fixed.dofs[c] : fixed.turns[c])) clash("fixed", other);
-    }
-  }
-}
-
 }  // namespace
 
 bool is_rigid(const Input& input, const Part& part) {
@@ -289,41 +238,6 @@ std::string body_set(std::size_t block) {
 
 std::string body_motion_set(std::size_t initial_entry) {
   return selection_name("body_motion", initial_entry);
-}
-
-std::vector<std::string> faults_of_rigid_parts(const Input& input) {
-  std::vector<std::string> faults;
-  for (const Part& part : input.parts)
-    if (part.rigid && !is_rigid(input, part))
-      faults.push_back(reported(input, fmt::format("parts.{}.rigid", part.name),
-                                "invalid material '{}': it is not rigid; expected a material of model: rigid",
-                                excerpt(part.material)));
-  const auto rotation_of_nodes = [&](const std::string& key) {
-    faults.push_back(
-        reported(input, key, "invalid rotation rx, ry or rz of nodes; expected part: a rigid part, or x, y, z"));
-  };
-  for (std::size_t k = 0; k < input.fixed.size(); ++k)
-    if (turns(input.fixed[k]) && !names_rigid_part(input, input.fixed[k].where))
-      rotation_of_nodes(fmt::format("fixed.{}.dofs", k));
-  for (std::size_t k = 0; k < input.prescribed.size(); ++k)
-    if (input.prescribed[k].dof >= 3 && !names_rigid_part(input, input.prescribed[k].where))
-      rotation_of_nodes(fmt::format("prescribed.{}.dof", k));
-  refuse_two_supports(input, faults);
-  check_probes(input, faults);
-  check_joins(input, faults);
-  const contact::Method method = input.enforcement.settings.method;
-  const bool holds_bodies = method == contact::Method::rate || method == contact::Method::row_sum;
-  const auto rigid = [&](const Part& part) { return is_rigid(input, part); };
-  if (!input.parts.empty() && !input.implicit && std::ranges::all_of(input.parts, rigid) && !input.run.step)
-    faults.push_back(reported(input, "run",
-                              "missing step: all parts are rigid, and no element limits the step; expected step: a "
-                              "time > 0 during which bodies rotate by a few hundredths of a radian"));
-  if (!input.contact.empty() && !holds_bodies && std::ranges::any_of(input.parts, rigid))
-    faults.push_back(reported(input, "enforcement.method", "invalid method for rigid parts; expected rate or row_sum"));
-  if (input.relaxation && std::ranges::all_of(input.parts, rigid))
-    faults.push_back(reported(input, "relaxation",
-                              "invalid relaxation: all parts are rigid; expected at least one deformable part"));
-  return faults;
 }
 
 std::vector<std::string> select_bodies(const Input& input, std::span<const std::string> part_of_block,

@@ -22,13 +22,6 @@ namespace brunt::scene {
 /// Whether these two rigid parts (or one given twice) form one body.
 [[nodiscard]] bool are_one_body(const Input& input, const std::string& a, const std::string& b);
 
-/// Faults of parts that join others, and of keys of a joined part that belong to its body.
-void check_joins(const Input& input, std::vector<std::string>& faults);
-
-/// Faults that can be found without the mesh, "FILE:LINE: key: what": rotations of nodes, mass properties of a part
-/// that is not rigid, a missing step where no element limits it.
-[[nodiscard]] std::vector<std::string> faults_of_rigid_parts(const Input& input);
-
 /// On the whole mesh, after the selections: adds the sets below and returns the faults (constrained nodes of rigid
 /// parts, nodes of two rigid parts).
 [[nodiscard]] std::vector<std::string> select_bodies(const Input& input, std::span<const std::string> part_of_block,

@@ -7,13 +7,36 @@
 
 #include "core/excerpt.hpp"
 #include "read_enforcement.hpp"
+#include "read_friction.hpp"
 #include "scene/read/sections.hpp"
 
 namespace brunt::scene {
 namespace {
 
+using contact::Multiplier;
+using contact::Passes;
+using Enforce = contact::MortarPair::Enforce;
 using Overlap = contact::OverlapRule;
 using Slave = ContactEntry::Slave;
+
+const Choices<Passes> passes_words{
+    {{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}, {"averaged", Passes::averaged}}, {}};
+const Choices<Overlap> overlap_words{{{"error", Overlap::error},
+                                      {"warn", Overlap::warn},
+                                      {"move", Overlap::move},
+                                      {"place", Overlap::place},
+                                      {"offset", Overlap::offset}},
+                                     {}};
+const Choices<Slave> slave_words{{{"auto", Slave::automatic}, {"first", Slave::first}, {"second", Slave::second}}, {}};
+const Choices<Multiplier> multiplier_words{{{"dual", Multiplier::dual}, {"standard", Multiplier::standard}}, {}};
+const Choices<Enforce> enforce_words{{{"lagrange", Enforce::lagrange}, {"penalty", Enforce::penalty}}, {}};
+constexpr Overlap overlap_of_ties = Overlap::offset;  // ties keep nodes at their positions
+
+/// An entry of the list, with the settings of all contact after it.
+struct Entry {
+  ContactEntry contact;
+  Enforcement enforcement;
+};
 
 /// Two parts, or one given twice: self-contact.
 bool read_pair(const Key& key, std::array<std::string, 2>& pair, std::string_view expected) {
@@ -21,22 +44,15 @@ bool read_pair(const Key& key, std::array<std::string, 2>& pair, std::string_vie
   return names.size() == 2 && read(names[0], pair[0], Named::part) && read(names[1], pair[1], Named::part);
 }
 
-void read_between(Section& entry, ContactEntry& contact) {
+void read_between(const Key& key, ContactEntry& contact) {
   constexpr std::string_view expected = "all, or two parts [a, b]";
-  const Key key = entry.at("between");
-  const bool word = key.tree == nullptr || key.tree->kind != Tree::Kind::list;
-  if (word) {
-    static const Choices<bool> choices{{{"all", true}}, {}};
-    bool all = true;
-    if (key.tree == nullptr || key.tree->kind != Tree::Kind::value) {
-      wrong(key, expected);
-    } else {
-      read(key, all, choices);
-    }
-    return;
-  }
+  static const Choices<bool> words{{{"all", true}}, {}};
+  bool all = true;
   std::array<std::string, 2> pair;
-  if (read_pair(key, pair, expected)) contact.between = {pair[0], pair[1]};
+  if (is_value(key))
+    read(key, all, words);
+  else if (read_pair(key, pair, expected))
+    contact.between = {pair[0], pair[1]};
 }
 
 void read_exclude(const Key& key, ContactEntry& contact) {
@@ -46,40 +62,152 @@ void read_exclude(const Key& key, ContactEntry& contact) {
   }
 }
 
+/// `between` has been read: its parts may be named.
 void read_slave(const Key& key, ContactEntry& contact) {
   const std::vector<std::string>& parts = contact.between;
-  if (parts.empty() && key.tree->kind == Tree::Kind::value && key.tree->text != "auto")
+  if (parts.empty() && is_value(key) && key.tree->text != "auto")
     return fault(key,
                  fmt::format("invalid slave '{}' for between: all; expected auto, or an entry with between: [a, b]",
                              excerpt(key.tree->text)));
-  std::vector<std::string> words{"auto", "first", "second"};
-  for (const std::string& part : parts)
-    if (words.size() == 3 || part != words.back()) words.push_back(part);
-  const std::size_t chosen = read_choice(key, words, {});
-  if (chosen == words.size() || chosen == 0) return;
-  contact.slave = chosen % 2 == 1 ? Slave::first : Slave::second;
+  Choices<Slave> words = slave_words;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (k == 0 || parts[k] != parts[0]) words.now.emplace_back(parts[k], k == 0 ? Slave::first : Slave::second);
+  read(key, contact.slave, words);
 }
 
-/// Keys of which only one value exists in this version.
-void read_settled(Section& entry) {
-  if (entry.has("thickness") && entry.at("thickness").tree->text != "auto") {
-    later(entry.at("thickness"), "a thickness of contact", "auto");
-  }
+/// Only one value exists in this version.
+void read_thickness(const Key& key, ContactEntry&) {
+  if (key.tree->text != "auto") later(key, "a thickness of contact", "auto");
 }
 
-/// Warns of settings without effect.
-void judge_passes(Section& entry, const ContactEntry& contact, Input& input) {
-  if (entry.has("self") && !contact.between.empty())
-    warn(entry.at("self"), "no effect with two parts; a part meets itself by between: all, or [a, a]", input);
-  const bool two = contact.passes == contact::Passes::two || contact.passes == contact::Passes::averaged;
-  if (two && contact.slave != Slave::automatic && entry.has("slave"))
-    warn(entry.at("slave"), "no effect with two passes", input);
+/// `mortar`, or a method of enforcement.
+void read_method(const Key& key, Entry& entry) {
+  entry.contact.mortar = is_value(key) && key.tree->text == "mortar";
+  if (!entry.contact.mortar) read(key, entry.enforcement.settings.method, methods());
+}
+
+void judge_tied(const Key& map, ContactEntry& contact) {
+  if (!contact.tied) return;
+  const Key key = at(map, "tied");
+  if (is_value(at(map, "between")))
+    fault(key, "invalid tied for between: all; expected tied: true with between: [a, b]");
+  if (!contact.between.empty() && contact.between[0] == contact.between[1])
+    fault(key, "invalid tied: a part cannot be tied to itself; expected between: [a, b] with two parts");
+  if (contact.friction.any()) fault(key, "invalid friction of tied parts; expected no friction with tied: true");
+  if (!has(map, "initial_overlap")) contact.initial_overlap = overlap_of_ties;
+  if (contact.initial_overlap == Overlap::place)
+    fault(at(map, "initial_overlap"), "invalid initial_overlap of tied parts; expected error, warn, move or offset");
+}
+
+/// Keys of mortar contact, and keys that it does not have.
+void judge_mortar(const Key& map, const ContactEntry& contact) {
+  if (!contact.mortar)
+    return refuse_any(map, {"multiplier", "enforce", "consistent", "edges"},
+                      "invalid without method: mortar; expected no such key");
+  const auto refuse = [&](bool wrong, const char* key, const char* why) {
+    if (wrong) fault(at(map, key), why);
+  };
+  const bool itself = contact.between.size() == 2 && contact.between[0] == contact.between[1];
+  const bool all = is_value(at(map, "between")) && at(map, "between").tree->text == "all";
+  refuse(all && !contact.tied, "between",  // ties of all parts are reported elsewhere
+         "invalid between for method: mortar; expected two parts [a, b], or one twice [a, a]");
+  refuse(itself && contact.slave != Slave::automatic, "slave",
+         "invalid for a part with itself, whose facets are slaves and masters by turns; expected no such key");
+  refuse(itself && contact.initial_overlap != Overlap::error && has(map, "initial_overlap"), "initial_overlap",
+         "invalid for method: mortar of a part with itself; expected error");
+  refuse(itself && has(map, "edges"), "edges", "invalid for a part with itself; expected no such key");
+  refuse(has(map, "exclude"), "exclude", "invalid with method: mortar; expected this key with between: all only");
+  refuse(contact.friction.kinetic != contact.friction.fixed || contact.friction.lag > 0, "friction",
+         "invalid friction for method: mortar, which has Coulomb's law with one coefficient; expected a number >= 0");
+  refuse(contact.tied && contact.enforce == Enforce::penalty, "enforce",
+         "invalid enforcement of a tie; expected lagrange");
+  refuse(contact.tied && has(map, "consistent"), "consistent",
+         "invalid with tied: true, whose forces are consistent; expected no such key");
+  refuse(contact.tied && has(map, "edges"), "edges",
+         "invalid with tied: true, which holds what meets at the start; expected no such key");
+  refuse_any(map,
+             {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping", "competing",
+              "rebuild"},
+             "invalid with method: mortar; expected multiplier, enforce, slave, consistent, edges, friction or tied");
+}
+
+/// Passes, and settings without effect.
+void judge_passes(const Key& map, const ContactEntry& contact) {
+  if (has(map, "self") && !contact.between.empty())
+    warn(at(map, "self"), "no effect with two parts; a part meets itself by between: all, or [a, a]");
+  const bool two = contact.passes == Passes::two || contact.passes == Passes::averaged;
+  if (two && contact.slave != Slave::automatic) warn(at(map, "slave"), "no effect with two passes");
   if (two && contact.friction.lag > 0)
-    fault(entry.has("passes") ? entry.at("passes") : entry.at("friction"),
-          "invalid lag of friction with two passes; expected passes: auto or one");
-  if (contact.tied && entry.has("passes") && two)
-    warn(entry.at("passes"), "no effect with tied: true: a tie has one pass", input);
+    fault(at(map, "passes"), "invalid lag of friction with two passes; expected passes: auto or one");
+  if (two && contact.tied) warn(at(map, "passes"), "no effect with tied: true: a tie has one pass");
 }
+
+/// What an entry says by itself.
+void judge_entry(const Key& map, Entry& entry) {
+  ContactEntry& contact = entry.contact;
+  judge_tied(map, contact);
+  if (has(map, "limit") && contact.initial_overlap != Overlap::place)
+    fault(at(map, "limit"), "invalid without initial_overlap: place; expected no limit");
+  judge_mortar(map, contact);
+}
+
+std::vector<Row<ContactEntry>> rows_of_contact() {
+  return {
+      {"between", special("`all` or list of 2 parts", read_between), "-",
+       "All exterior faces, a pair `[a, b]`, or `[a, a]` for a part with itself.", required},
+      {"exclude", special("list of pairs", read_exclude), "-", "With `all`: pairs `[[a, b]]` without contact."},
+      {"self", value(&ContactEntry::self), "-", "With `all`: whether a part may touch itself."},
+      {"friction", friction_of(&ContactEntry::friction), "-", "Coefficient of Coulomb friction."},
+      {"passes", value(&ContactEntry::passes, passes_words), "-",
+       "One pass holds slave nodes, two hold the nodes of both sides. See below."},
+      {"slave", special(phrase(Slave::automatic, slave_words) + " or name", read_slave), "-",
+       "Slave in one pass: by default the finer, of equal meshes the lighter part.",
+       shown(ContactEntry{}.slave, slave_words)},
+      {"tied", value(&ContactEntry::tied), "-", "Whether the pair is joined where its surfaces meet at the start."},
+      {"initial_overlap", value(&ContactEntry::initial_overlap, overlap_words), "-",
+       "What happens to nodes inside another part at the start. See below.",
+       fmt::format("{}; tied {}", shown(ContactEntry{}.initial_overlap, overlap_words),
+                   shown(overlap_of_ties, overlap_words))},
+      {"limit", value(&ContactEntry::limit, positive), "length",
+       "With `place`: largest displacement of a point of a part; beyond it the scene is refused. "
+       "[Default](#placement-limit).",
+       fmt::format("{} overlaps", most_overlaps)},
+      {"thickness", special("`auto`", read_thickness), "-", "Reserved.", "`auto`"},
+      {"multiplier", value(&ContactEntry::multiplier, multiplier_words), "-",
+       "Of `mortar`: basis of the Lagrange multipliers."},
+      {"enforce", value(&ContactEntry::enforce, enforce_words), "-",
+       "Of `mortar`: exact constraints, or pressure = E/edge times the penetration."},
+      {"consistent", value(&ContactEntry::consistent), "-",
+       "Of `mortar`: pressures act through the [exact gradient of the "
+       "gaps](../contact/mortar/README.md#consistent-forces): no energy from curved surfaces, more iterations."},
+      {"edges", value(&ContactEntry::edges), "-",
+       "Of `mortar`: for bodies with sharp edges and corners. [Sharp edges](../contact/mortar/README.md#sharp-edges) "
+       "split the surfaces, and their nodes have rows of their own."},
+  };
+}
+
+/// Those of an entry, and those of `enforcement`, of which `method` has one more word.
+std::vector<Row<Entry>> rows_of_entry() {
+  std::vector<Row<Entry>> rows = within(&Entry::contact, rows_of_contact());
+  for (Row<Entry>& row : within(&Entry::enforcement, enforcement_rows())) {
+    row.said.meaning = "As in [enforcement](#enforcement-of-contact).";
+    if (row.said.key == "method") {
+      row.said.meaning =
+          "As in [enforcement](#enforcement-of-contact); `mortar` in [implicit scenes](#implicit-solver).";
+      row.said.type += " or `mortar`";
+      row.value.read = read_method;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+const Table<Entry> contact_keys{
+    "contact",
+    "a map {between: all} or {between: [a, b]}",
+    rows_of_entry(),
+    judge_entry,
+};
 
 /// Faults of combinations that the present method does not support.
 void judge_method(const Key& whole, const ContactEntry& contact, const Input& input) {
@@ -95,18 +223,9 @@ void judge_method(const Key& whole, const ContactEntry& contact, const Input& in
   if (rubs) fault(whole, "invalid method: reference has no friction; expected friction: 0, on rigid walls as well");
 }
 
-void judge_tied(Section& entry, const ContactEntry& contact) {
-  const Key key = entry.at("tied");
-  const bool all = entry.has("between") && entry.at("between").tree->kind == Tree::Kind::value;
-  if (all) fault(key, "invalid tied for between: all; expected tied: true with between: [a, b]");
-  if (!contact.between.empty() && contact.between[0] == contact.between[1])
-    fault(key, "invalid tied: a part cannot be tied to itself; expected between: [a, b] with two parts");
-  if (contact.friction.any()) fault(key, "invalid friction of tied parts; expected no friction with tied: true");
-}
-
 /// A later entry that names two tied parts releases their tie; a warning asks for an explicit statement.
-void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact, Input& input) {
-  if (contact.tied || contact.between.empty() || entry.has("tied")) return;
+void judge_untied(const Key& whole, const ContactEntry& contact, const Input& input) {
+  if (contact.tied || contact.between.empty() || has(whole, "tied")) return;
   const std::set<std::string> pair(contact.between.begin(), contact.between.end());
   const auto names_it = [&](const ContactEntry& earlier) {
     return pair == std::set<std::string>(earlier.between.begin(), earlier.between.end());
@@ -116,143 +235,47 @@ void judge_untied(const Key& whole, Section& entry, const ContactEntry& contact,
   warn(whole,
        fmt::format(
            "this entry releases the tie of {} and {} defined by contact.{}; tied: false does so without this warning",
-           contact.between[0], contact.between[1], input.contact.rend() - last - 1),
-       input);
+           contact.between[0], contact.between[1], input.contact.rend() - last - 1));
 }
 
-/// method: mortar and its keys. For other methods, the keys of enforcement are read.
-void read_mortar(Section& entry, ContactEntry& contact) {
-  const bool named = entry.has("method") && entry.at("method").tree->kind == Tree::Kind::value;
-  contact.mortar = named && entry.at("method").tree->text == "mortar";
-  if (!contact.mortar) {
-    for (const char* key : {"multiplier", "enforce", "consistent", "edges"})
-      if (entry.has(key)) fault(entry.at(key), "invalid without method: mortar; expected no such key");
-    return;
+/// Entry by entry: `enforcement` and `rigid_walls` have been read.
+void read_contact_list(const Key& list, Input& input) {
+  for (const Key& key : items(list, "a list of {between: all} or {between: [a, b]}")) {
+    Entry entry{{}, input.enforcement};
+    if (!contact_keys.read(key, entry)) continue;
+    if (!entry.contact.mortar) {
+      judge_enforcement_of_entry(key, entry.enforcement, input);
+      input.enforcement = entry.enforcement;
+    }
+    judge_passes(key, entry.contact);
+    judge_method(key, entry.contact, input);
+    judge_untied(key, entry.contact, input);
+    if (const contact::FrictionLaw& law = entry.contact.friction; law.kinetic < law.fixed && law.decay == 0)
+      warn(at(key, "friction"), "kinetic has no effect without decay: the coefficient remains the static one");
+    input.contact.push_back(std::move(entry.contact));
   }
-  using contact::Multiplier;
-  using Enforce = contact::MortarPair::Enforce;
-  static const Choices<Multiplier> multipliers{{{"dual", Multiplier::dual}, {"standard", Multiplier::standard}}, {}};
-  static const Choices<Enforce> enforces{{{"lagrange", Enforce::lagrange}, {"penalty", Enforce::penalty}}, {}};
-  entry.optional("multiplier", contact.multiplier, multipliers);
-  entry.optional("enforce", contact.enforce, enforces);
-  entry.optional("consistent", contact.consistent);
-  entry.optional("edges", contact.edges);
-  const auto refuse = [&](bool wrong, const char* key, const char* why) {
-    if (wrong) fault(entry.at(key), why);
-  };
-  const bool itself = contact.between.size() == 2 && contact.between[0] == contact.between[1];
-  const bool all =
-      entry.has("between") && entry.at("between").tree != nullptr && entry.at("between").tree->text == "all";
-  if (all && !contact.tied)  // conflicts with ties are reported elsewhere
-    fault(entry.at("between"), "invalid between for method: mortar; expected two parts [a, b], or one twice [a, a]");
-  refuse(itself && contact.slave != Slave::automatic, "slave",
-         "invalid for a part with itself, whose facets are slaves and masters by turns; expected no such key");
-  refuse(itself && contact.initial_overlap != Overlap::error && entry.has("initial_overlap"), "initial_overlap",
-         "invalid for method: mortar of a part with itself; expected error");
-  refuse(itself && entry.has("edges"), "edges", "invalid for a part with itself; expected no such key");
-  refuse(entry.has("exclude"), "exclude", "invalid with method: mortar; expected this key with between: all only");
-  refuse(contact.friction.kinetic != contact.friction.fixed || contact.friction.lag > 0, "friction",
-         "invalid friction for method: mortar, which has Coulomb's law with one coefficient; expected a number >= 0");
-  refuse(contact.tied && contact.enforce == Enforce::penalty, "enforce",
-         "invalid enforcement of a tie; expected lagrange");
-  refuse(contact.tied && entry.has("consistent"), "consistent",
-         "invalid with tied: true, whose forces are consistent; expected no such key");
-  refuse(contact.tied && entry.has("edges"), "edges",
-         "invalid with tied: true, which holds what meets at the start; expected no such key");
-  for (const char* key : {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping",
-                          "competing", "rebuild"})
-    refuse(entry.has(key), key,
-           "invalid with method: mortar; expected multiplier, enforce, slave, consistent, edges, friction or tied");
 }
 
-ContactEntry read_entry(Section& entry, contact::Passes passes_before) {
-  static const Choices<Overlap> overlaps{{{"error", Overlap::error},
-                                          {"warn", Overlap::warn},
-                                          {"move", Overlap::move},
-                                          {"place", Overlap::place},
-                                          {"offset", Overlap::offset}},
-                                         {}};
-  using contact::Passes;
-  static const Choices<Passes> passes{
-      {{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}, {"averaged", Passes::averaged}}, {}};
-  ContactEntry contact;
-  contact.passes = passes_before;
-  read_between(entry, contact);
-  if (entry.has("exclude")) read_exclude(entry.at("exclude"), contact);
-  read_friction(entry, contact.friction);
-  if (entry.has("slave")) read_slave(entry.at("slave"), contact);
-  entry.optional("passes", contact.passes, passes);
-  entry.optional("self", contact.self);
-  if (entry.optional("tied", contact.tied) && contact.tied) {
-    judge_tied(entry, contact);
-    contact.initial_overlap = Overlap::offset;  // ties keep nodes at their positions
-  }
-  entry.optional("initial_overlap", contact.initial_overlap, overlaps);
-  if (contact.tied && contact.initial_overlap == Overlap::place)
-    fault(entry.at("initial_overlap"), "invalid initial_overlap of tied parts; expected error, warn, move or offset");
-  entry.optional("limit", contact.limit, positive);
-  if (entry.has("limit") && contact.initial_overlap != Overlap::place)
-    fault(entry.at("limit"), "invalid without initial_overlap: place; expected no limit");
-  read_settled(entry);
-  read_mortar(entry, contact);
-  return contact;
-}
-
+using contact::SearchMethod;
+const Choices<SearchMethod> search_methods{{{"auto", SearchMethod::automatic},
+                                            {"blocks", SearchMethod::blocks},
+                                            {"binary", SearchMethod::binary},
+                                            {"bucket", SearchMethod::bucket}},
+                                           {}};
 }  // namespace
 
-void read_friction(Section& entry, contact::FrictionLaw& friction) {
-  if (!entry.has("friction")) return;
-  const Key key = entry.at("friction");
-  if (key.tree->kind != Tree::Kind::map) {
-    read(key, friction.fixed, not_negative);
-    friction.kinetic = friction.fixed;
-    return;
-  }
-  Section law(key, "a map {static: number, kinetic: number, decay: number, lag: number}");
-  const bool has_static = law.required("static", friction.fixed, not_negative);
-  friction.kinetic = friction.fixed;
-  law.optional("kinetic", friction.kinetic, not_negative);
-  law.optional("decay", friction.decay, not_negative);
-  law.optional("lag", friction.lag, not_negative);
-  if (has_static && friction.kinetic > friction.fixed)
-    fault(law.at("kinetic"),
-          fmt::format("invalid kinetic coefficient {}: larger than the static one, {}; expected at most the static one",
-                      friction.kinetic, friction.fixed));
-}
+const Table<Input> search_keys{
+    "search",
+    "a map {method: auto, blocks, binary or bucket}",
+    {
+        {"method", value(&Input::search, search_methods), "-",
+         "Blocks of points along a space-filling curve (`auto`), the binary sort or the bucket sort of Heinstein et "
+         "al. (2000)."},
+    },
+};
 
-void read_search(Section& scene, Input& input) {
-  if (!scene.has("search")) return;
-  using contact::SearchMethod;
-  static const Choices<SearchMethod> methods{{{"auto", SearchMethod::automatic},
-                                              {"blocks", SearchMethod::blocks},
-                                              {"binary", SearchMethod::binary},
-                                              {"bucket", SearchMethod::bucket}},
-                                             {}};
-  Section section(scene.at("search"), "a map {method: auto, blocks, binary or bucket}");
-  if (section.is_map()) section.optional("method", input.search, methods);
-}
-
-void read_contact(Section& scene, Input& input) {
-  read_search(scene, input);
-  EnforcementReader enforcement(scene, input);
-  contact::Passes passes = contact::Passes::automatic;
-  if (scene.has("contact"))
-    for (const Key& key : items(scene.at("contact"), "a list of {between: all} or {between: [a, b]}")) {
-      Section entry(key, "a map {between: all} or {between: [a, b]}");
-      if (!entry.is_map()) continue;
-      const ContactEntry contact = read_entry(entry, passes);
-      passes = contact.passes;
-      if (!contact.mortar) enforcement.read_entry(key, entry);
-      judge_passes(entry, contact, input);
-      judge_method(key, contact, input);
-      judge_untied(key, entry, contact, input);
-      const contact::FrictionLaw& friction = contact.friction;
-      if (friction.kinetic < friction.fixed && friction.decay == 0)
-        warn(entry.at("friction"), "kinetic has no effect without decay: the coefficient remains the static one",
-             input);
-      input.contact.push_back(contact);
-    }
-  enforcement.judge();
+Value<Input> contact_value() {
+  return special("list", read_contact_list, {&contact_keys});
 }
 
 }  // namespace brunt::scene

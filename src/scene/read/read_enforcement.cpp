@@ -4,47 +4,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "core/excerpt.hpp"
+#include "scene/read/sections.hpp"
 
 namespace brunt::scene {
 namespace {
 
 using contact::Criterion;
+using contact::EnforcementSettings;
 using contact::Method;
 using contact::Rebuild;
 
-/// The keys, and whether two settings agree.
-struct Figure {
-  const char* name;
-  bool (*same)(const Enforcement&, const Enforcement&);
-};
-constexpr std::array figures{
-    Figure{"method", [](const Enforcement& a, const Enforcement& b) { return a.settings.method == b.settings.method; }},
-    Figure{"tolerance",
-           [](const Enforcement& a, const Enforcement& b) { return a.settings.tolerance == b.settings.tolerance; }},
-    Figure{"max_iterations",
-           [](const Enforcement& a, const Enforcement& b) {
-             return a.settings.max_iterations == b.settings.max_iterations;
-           }},
-    Figure{"softness",
-           [](const Enforcement& a, const Enforcement& b) { return a.settings.softness == b.settings.softness; }},
-    Figure{"partition",
-           [](const Enforcement& a, const Enforcement& b) { return a.settings.partition == b.settings.partition; }},
-    Figure{"stiffness",
-           [](const Enforcement& a, const Enforcement& b) { return a.settings.stiffness == b.settings.stiffness; }},
-    Figure{"damping",
-           [](const Enforcement& a, const Enforcement& b) { return a.settings.damping == b.settings.damping; }},
-    Figure{"competing", [](const Enforcement& a, const Enforcement& b) { return a.competing == b.competing; }},
-    Figure{"rebuild", [](const Enforcement& a, const Enforcement& b) { return a.rebuild == b.rebuild; }}};
+constexpr Range to_two{0, 2, false, true, "a number > 0 and <= 2"};
+const Choices<Rebuild::When>& rebuild_words() {
+  static const Choices<Rebuild::When> words{
+      {{"auto", Rebuild::When::motion_used_up}, {"random", Rebuild::When::random}}, {}};
+  return words;
+}
+
+/// One softness for all constraints.
+void read_softness(const Key& key, EnforcementSettings& settings) {
+  if (read(key, settings.softness, share)) settings.softness_of_bodies = settings.softness;
+}
 
 /// The time of rebuilding lists changes no result: this key serves tests.
 void read_rebuild(const Key& key, Rebuild& rebuild) {
-  const bool word = key.tree->kind == Tree::Kind::value;
-  if (word && (key.tree->text == "auto" || key.tree->text == "random")) {
-    rebuild = {key.tree->text == "auto" ? Rebuild::When::motion_used_up : Rebuild::When::random};
+  if (is_word_of(rebuild_words(), key)) {
+    rebuild = {};
+    read(key, rebuild.when, rebuild_words());
     return;
   }
   static const Range steps{1, 1e9, true, true, "auto, random or an integer from 1 to 1000000000"};
@@ -55,90 +46,127 @@ void read_rebuild(const Key& key, Rebuild& rebuild) {
   rebuild = {Rebuild::When::every, static_cast<int>(number)};
 }
 
-void read_figures(Section& from, Enforcement& enforcement) {
-  static const Choices<Method> methods{{contact::method_names.begin(), contact::method_names.end()}, {}};
+std::vector<Row<EnforcementSettings>> rows_of_settings() {
+  using Settings = EnforcementSettings;
+  return {
+      {"method", value(&Settings::method, methods()), "-", "The rate constraint; all others are for comparison."},
+      {"tolerance", value(&Settings::tolerance, below_one), "-",
+       "Residual of the iteration, divided by the largest violation of the constraints by the predicted velocities."},
+      {"max_iterations", value(&Settings::max_iterations, Count{1}), "-",
+       "A step that ends here above the tolerance is counted and reported."},
+      {"softness", special(phrase(0.0, share), read_softness), "-",
+       "Compliance softness dt^2/m of the constraints of two passes and between rigid bodies, there with the mass of "
+       "the heaviest of a chain ([measurements](../../cases/README.md#softness-of-contact)).",
+       fmt::format("{}; rigid bodies {}", Settings{}.softness, Settings{}.softness_of_bodies)},
+      {"partition", value(&Settings::partition, courant), "-",
+       "Of `kinematic`: share of the gap that one correction closes."},
+      {"stiffness", value(&Settings::stiffness, to_two), "-",
+       "Of `gap_penalty` and `penalty`: spring stiffness in units of mass/dt^2. The stable step is multiplied by "
+       "sqrt(1 - stiffness/4)."},
+      {"damping", value(&Settings::damping, share), "-",
+       "Of `penalty`: share of the closing rate that a step removes."},
+  };
+}
+
+std::vector<Row<Enforcement>> rows_of_enforcement() {
   static const Choices<Criterion> competing{{{"auto", Criterion::automatic},
                                              {"nearest", Criterion::nearest},
                                              {"strength", Criterion::strength},
                                              {"velocity", Criterion::velocity}},
                                             {}};
-  contact::EnforcementSettings& settings = enforcement.settings;
-  from.optional("method", settings.method, methods);
-  from.optional("tolerance", settings.tolerance, below_one);
-  from.optional("max_iterations", settings.max_iterations, Count{1});
-  if (from.has("softness")) {
-    from.optional("softness", settings.softness, share);
-    settings.softness_of_bodies = settings.softness;
-  }
-  from.optional("partition", settings.partition, Range{0, 1, false, true, "a number > 0 and <= 1"});
-  from.optional("stiffness", settings.stiffness, Range{0, 2, false, true, "a number > 0 and <= 2"});
-  from.optional("damping", settings.damping, share);
-  from.optional("competing", enforcement.competing, competing);
-  if (from.has("rebuild")) read_rebuild(from.at("rebuild"), enforcement.rebuild);
+  std::vector<Row<Enforcement>> rows = within(&Enforcement::settings, rows_of_settings());
+  rows.push_back({"competing", value(&Enforcement::competing, competing), "-",
+                  "Choice among the faces that a node can meet at a convex edge."});
+  rows.push_back(
+      {"rebuild",
+       special<Enforcement>(phrase(Rebuild{}.when, rebuild_words()) + " or integer >= 1",
+                            [](const Key& key, Enforcement& enforcement) { read_rebuild(key, enforcement.rebuild); }),
+       "-", "When candidate lists are rebuilt; no result depends on it.", shown(Rebuild{}.when, rebuild_words())});
+  return rows;
 }
 
-}  // namespace
-
-void warn(const Key& key, std::string_view what, Input& input) {
-  input.warnings.push_back(fmt::format("{}: {}", place_of(key), what));
+/// The values of all keys.
+auto values_of(const Enforcement& enforcement) {
+  const EnforcementSettings& settings = enforcement.settings;
+  return std::tuple(settings.method, settings.tolerance, settings.max_iterations, settings.softness, settings.partition,
+                    settings.stiffness, settings.damping, enforcement.competing, enforcement.rebuild);
 }
 
-EnforcementReader::EnforcementReader(Section& scene, Input& input) : input_(input) {
-  if (!scene.has("enforcement")) return;
-  section_.emplace(scene.at("enforcement"), "a map {method: rate, tolerance: 1.0e-3, ...}");
-  read_figures(*section_, input.enforcement);
-  if (section_->has("softness")) softness_ = section_->at("softness");
-}
+constexpr std::string_view printed_overcorrects =
+    "overcorrects the velocities: bodies rebound and the iteration may not converge; use it for comparisons only";
 
-void EnforcementReader::read_entry(const Key& whole, Section& entry) {
-  const Enforcement before = input_.enforcement;
-  read_figures(entry, input_.enforcement);
-  for (const Figure& figure : figures)
-    if (entry.has(figure.name) && section_has(figure.name) && !figure.same(before, input_.enforcement))
-      fault(entry.at(figure.name),
-            fmt::format(
-                "invalid value {}: enforcement.{} is {}; expected the same value in both places, or one of the keys",
-                excerpt(entry.at(figure.name).tree->text), figure.name, excerpt(section_->at(figure.name).tree->text)));
-  if (entry.has("softness")) softness_ = entry.at("softness");
-  judge_figures(entry);
-  if (input_.enforcement.settings.method == Method::printed && !section_has("method"))
-    warn(whole,
-         "method printed overcorrects the velocities: bodies rebound and the iteration may not converge; use it for "
-         "comparisons only",
-         input_);
-}
-
-void EnforcementReader::judge() {
-  if (softness_ && input_.enforcement.settings.softness > 0 &&
-      std::ranges::any_of(input_.contact,
-                          [](const ContactEntry& entry) { return entry.passes == contact::Passes::averaged; }))
-    warn(*softness_, "no effect where a contact has passes: averaged", input_);
-  if (!section_) return;
-  if (input_.contact.empty() && input_.rigid_walls.empty())
-    warn(section_->key(), "no effect without contact or rigid_walls", input_);
-  judge_figures(*section_);
-  if (!section_->has("method")) return;
-  const Method method = input_.enforcement.settings.method;
-  if (method == Method::printed)
-    warn(section_->at("method"),
-         "printed overcorrects the velocities: bodies rebound and the iteration may not converge; use it for "
-         "comparisons only",
-         input_);
-  const bool rubs = std::ranges::any_of(input_.rigid_walls, [](const RigidWall& wall) { return wall.friction.any(); });
-  if (method == Method::reference && input_.contact.empty() && rubs)
-    fault(section_->at("method"), "invalid method: reference has no friction; expected friction: 0 on rigid walls");
-}
-
-void EnforcementReader::judge_figures(Section& given) {
-  const Method method = input_.enforcement.settings.method;
+/// Warns of keys of the section, or of an entry, without effect.
+void warn_of_unused(const Key& map, Method method) {
   const bool penalty = method == Method::penalty || method == Method::gap_penalty;
-  const auto unused = [&](const char* name, bool used, const char* methods) {
-    if (given.has(name) && !used) warn(given.at(name), fmt::format("no effect except with method {}", methods), input_);
+  const auto unused = [&](const char* name, bool used, const char* used_by) {
+    if (has(map, name) && !used) warn(at(map, name), fmt::format("no effect except with method {}", used_by));
   };
   unused("stiffness", penalty, "gap_penalty or penalty");
   unused("damping", method == Method::penalty, "penalty");
   unused("partition", method == Method::kinematic, "kinematic");
   unused("softness", method == Method::rate || method == Method::row_sum, "rate or row_sum");
+}
+
+/// Softness has no effect on the mean of two passes. The warning stands where it is given last.
+void warn_of_softness(const Key& scene, const Input& input) {
+  const bool averaged = std::ranges::any_of(
+      input.contact, [](const ContactEntry& entry) { return entry.passes == contact::Passes::averaged; });
+  if (!averaged || !(input.enforcement.settings.softness > 0)) return;
+  std::optional<Key> last;
+  if (const Key section = at(scene, "enforcement"); has(section, "softness")) last = at(section, "softness");
+  for (const Key& entry : items(at(scene, "contact"), ""))
+    if (has(entry, "softness")) last = at(entry, "softness");
+  if (last) warn(*last, "no effect where a contact has passes: averaged");
+}
+
+}  // namespace
+
+const Table<Enforcement> enforcement_keys{
+    "enforcement",
+    "a map {method: rate, tolerance: 1.0e-3, ...}",
+    enforcement_rows(),
+};
+
+const Choices<Method>& methods() {
+  static const Choices<Method> all{{contact::method_names.begin(), contact::method_names.end()}, {}};
+  return all;
+}
+
+const std::vector<Row<Enforcement>>& enforcement_rows() {
+  static const std::vector<Row<Enforcement>> rows = rows_of_enforcement();
+  return rows;
+}
+
+void judge_enforcement_of_entry(const Key& entry, const Enforcement& given, const Input& input) {
+  const Key section = at(scene_of(entry), "enforcement");
+  for (const Row<Enforcement>& row : enforcement_rows()) {
+    const std::string& key = row.said.key;
+    if (!has(entry, key) || !has(section, key)) continue;
+    Enforcement changed = input.enforcement;
+    row.value.read(at(entry, key), changed);
+    if (values_of(changed) != values_of(input.enforcement))
+      fault(at(entry, key),
+            fmt::format(
+                "invalid value {}: enforcement.{} is {}; expected the same value in both places, or one of the keys",
+                excerpt(at(entry, key).tree->text), key, excerpt(at(section, key).tree->text)));
+  }
+  warn_of_unused(entry, given.settings.method);
+  if (given.settings.method == Method::printed && !has(section, "method"))
+    warn(entry, fmt::format("method printed {}", printed_overcorrects));
+}
+
+void judge_enforcement(const Key& scene, const Input& input) {
+  warn_of_softness(scene, input);
+  const Key section = at(scene, "enforcement");
+  if (!is_map(section)) return;
+  if (input.contact.empty() && input.rigid_walls.empty()) warn(section, "no effect without contact or rigid_walls");
+  const Method method = input.enforcement.settings.method;
+  warn_of_unused(section, method);
+  if (!has(section, "method")) return;
+  if (method == Method::printed) warn(at(section, "method"), fmt::format("printed {}", printed_overcorrects));
+  const bool rubs = std::ranges::any_of(input.rigid_walls, [](const RigidWall& wall) { return wall.friction.any(); });
+  if (method == Method::reference && input.contact.empty() && rubs)
+    fault(at(section, "method"), "invalid method: reference has no friction; expected friction: 0 on rigid walls");
 }
 
 }  // namespace brunt::scene

@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section `enforcement`: settings of all contact of a scene. Entries of `contact` may also contain them: an entry
-// inherits the values of the previous one, and those of the last entry apply.
+// How contact is enforced, for all contact of a scene and for rigid walls: the section `enforcement`, and the same keys
+// in entries of `contact`. A key that is given in several entries has the value of the last one.
 #pragma once
-#include <optional>
-#include <string_view>
+#include <vector>
 
 #include "scene/input.hpp"
-#include "scene/text/reader.hpp"
+#include "scene/keys/table.hpp"
 
 namespace brunt::scene {
 
-void warn(const Key& key, std::string_view what, Input& input);
+/// Names of the methods in a scene.
+const Choices<contact::Method>& methods();
 
-/// Reads into input.enforcement: first the section, then each entry. A key given in both must have the same value.
-class EnforcementReader {
- public:
-  EnforcementReader(Section& scene, Input& input);
-  void read_entry(const Key& whole, Section& entry);
-  /// After all entries are read: warns of settings of the section without effect.
-  void judge();
+/// Rows of the section, which those of an entry of `contact` repeat.
+const std::vector<Row<Enforcement>>& enforcement_rows();
 
- private:
-  [[nodiscard]] bool section_has(std::string_view name) { return section_ && section_->has(name); }
-  void judge_figures(Section& given);
+/// Judges the settings of an entry of `contact` beside those of the section, which an entry may repeat, but not change.
+/// given: the settings after the entry; input has those before it.
+void judge_enforcement_of_entry(const Key& entry, const Enforcement& given, const Input& input);
 
-  Input& input_;
-  std::optional<Section> section_;
-  std::optional<Key> softness_;  ///< where it is given last
-};
+/// Judges the section beside contact and walls, when all have been read.
+void judge_enforcement(const Key& scene, const Input& input);
 
 }  // namespace brunt::scene

@@ -1,67 +1,94 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "read_metals.hpp"
-
+// Laws of metals under impact, from the constants that a scene gives.
 #include <fmt/format.h>
+
+#include "given_material.hpp"
 
 namespace brunt::scene {
 namespace {
-
-using material::RateFactor;
-
-const Choices<RateFactor::Form> rate_forms{
-    {{"logarithm", RateFactor::Form::logarithm}, {"power", RateFactor::Form::power}}, {}};
 
 /// Yield stresses of metals lie within these shares of Young's modulus: at least 1e-4 for lead and tin, 0.1 for
 /// whiskers. Values outside are errors of units.
 constexpr double least_yield = 1e-6, largest_yield = 0.2;
 
-void check_yield(Section& material, const char* name, double yield, double young) {
-  if (!(yield > 0) || !(young > 0) || (yield >= least_yield * young && yield <= largest_yield * young)) return;
-  fault(material.at(name), fmt::format("out of range: the yield stress {:g} is {:.2g} of Young's modulus {:g}; "
-                                       "expected {:g} to {:g} of it, both in the same units",
-                                       yield, yield / young, young, least_yield, largest_yield));
-}
-
 double young_of(const material::Metal& law) {
   return law.bulk > 0 ? 9 * law.bulk * law.shear / (3 * law.bulk + law.shear) : 0;
 }
 
-/// density, young and poisson (with an equation of state also shear only, and the bulk modulus follows from it).
-void read_moduli(Section& material, const Range& shear, material::Metal& law) {
-  material.required("density", law.density, positive);
-  if (material.has("eos")) read_eos(material, law);
-  if (law.eos && material.has("shear")) {
-    for (const char* name : {"young", "poisson"})
-      if (material.has(name))
-        fault(material.at(name), "invalid together with shear; expected young and poisson, or shear alone");
-    material.required("shear", law.shear, shear);
+/// The shear modulus from young and poisson, or with an equation of state also given alone; the bulk modulus then
+/// follows from the equation.
+void judge_moduli(const Key& map, const GivenMaterial& given, material::Metal& law) {
+  if (!given.eos) refuse_any(map, {"shear"}, "invalid without eos; expected young and poisson");
+  if (given.eos && has(map, "shear")) {
+    refuse_any(map, {"young", "poisson"}, "invalid together with shear; expected young and poisson, or shear alone");
+    law.shear = given.shear;
   } else {
-    double young = 0, poisson = 0;
-    material.required("young", young, positive);
-    material.required("poisson", poisson, poisson_ratio);
-    law.shear = young / (2 * (1 + poisson));
-    if (!law.eos) law.bulk = young / (3 * (1 - 2 * poisson));
+    demand(map, "young", positive.words);
+    demand(map, "poisson", poisson_ratio.words);
+    law.shear = given.young / (2 * (1 + given.poisson));
+    law.bulk = given.young / (3 * (1 - 2 * given.poisson));
   }
-  if (!law.eos) return;
-  const material::EquationOfState& eos = *law.eos;
+  if (!given.eos) return;
+  const material::EquationOfState& eos = *given.eos;
   law.bulk =
-      eos.model == material::EquationOfState::Model::mie_gruneisen ? law.density * eos.c * eos.c : eos.polynomial[1];
+      eos.model == material::EquationOfState::Model::mie_gruneisen ? given.density * eos.c * eos.c : eos.polynomial[1];
 }
 
-/// Keys of laws with temperature: heat_capacity, taylor_quinney, temperature (at the start; default `room`).
-void read_heat(Section& material, double room, material::Heat& heat) {
-  material.optional("heat_capacity", heat.capacity, positive);
-  material.optional("taylor_quinney", heat.taylor_quinney, share);
-  heat.start = room;
-  material.optional("temperature", heat.start, any_number);
+/// What all metals have. room: the temperature at the start, if none is given.
+material::Metal judged_metal(const Key& map, const GivenMaterial& given, double room) {
+  material::Metal law;
+  law.density = given.density;
+  law.eos = given.eos;
+  judge_moduli(map, given, law);
+  law.rate_steps = given.rate_steps;
+  law.heat = {given.heat_capacity, given.taylor_quinney, given.temperature.value_or(room)};
+  return law;
 }
 
-void read_rate_steps(Section& material, material::Metal& law) {
-  constexpr Range steps{1, 10000, true, true, "a number from 1 to 10000"};
-  material.optional("rate_steps", law.rate_steps, steps);
+/// Damage has the rate factor of the strength, unless it has its own.
+std::optional<material::Fracture> fracture_of(const GivenMaterial& given, const material::RateFactor& strength) {
+  if (!given.damage) return {};
+  const GivenDamage& damage = *given.damage;
+  const double reference = strength.form == Form::cowper_symonds ? 1.0 : strength.reference;
+  const Form form = damage.rate_form.value_or(strength.form == Form::power ? Form::power : Form::logarithm);
+  material::Fracture fracture{damage.d1, damage.d2, damage.d3, damage.d5, {}, damage.critical, damage.softens};
+  fracture.rate = {damage.d4 == 0 ? Form::none : form, damage.d4, damage.rate.value_or(reference)};
+  return fracture;
+}
+
+/// Thermal softening has three constants, or none.
+void judge_softening(const Key& map, const GivenMaterial& given) {
+  if (!has(map, "m") && !has(map, "melt") && !has(map, "room")) return;
+  demand(map, "m", positive.words);
+  demand(map, "melt", any_number.words);
+  demand(map, "room", any_number.words);
+  if (given.melt && given.room && *given.melt <= *given.room)
+    fault(at(map, "melt"),
+          fmt::format("invalid melting temperature {:g}: not above room, {:g}; expected a higher temperature",
+                      *given.melt, *given.room));
 }
 
 }  // namespace
+
+const Choices<Form>& rate_forms() {
+  static const Choices<Form> forms{{{"logarithm", Form::logarithm}, {"power", Form::power}}, {}};
+  return forms;
+}
+
+void judge_yield(const Key& map, const char* name, double yield, double young) {
+  if (!(yield > 0) || !(young > 0) || (yield >= least_yield * young && yield <= largest_yield * young)) return;
+  fault(at(map, name), fmt::format("out of range: the yield stress {:g} is {:.2g} of Young's modulus {:g}; expected "
+                                   "{:g} to {:g} of it, both in the same units",
+                                   yield, yield / young, young, least_yield, largest_yield));
+}
+
+void judge_hardening(const Key& map) {
+  if (has(map, "hardening_table"))
+    refuse_any(map, {"yield", "hardening"},
+               "invalid together with hardening_table; expected yield and hardening, or the table alone");
+  else
+    demand(map, "yield", positive.words);
+}
 
 void read_hardening_table(const Key& key, std::vector<std::array<double, 2>>& table) {
   constexpr std::string_view expected = "a list of [plastic strain, yield stress], the first at strain 0";
@@ -79,163 +106,48 @@ void read_hardening_table(const Key& key, std::vector<std::array<double, 2>>& ta
     }
     table.push_back(point);
   }
-  if (table.empty() && key.tree->kind == Tree::Kind::list && key.tree->children.empty()) wrong(key, expected);
+  if (table.empty() && is_list(key) && key.tree->children.empty()) wrong(key, expected);
 }
 
-material::Metal read_johnson_cook(Section& material) {
-  material::Metal law;
-  read_moduli(material, positive, law);
-  material::JohnsonCook jc;
-  material.required("A", jc.a, positive);
-  check_yield(material, "A", jc.a, young_of(law));
-  material.required("B", jc.b, not_negative);
-  if (jc.b > largest_yield * young_of(law)) check_yield(material, "B", jc.b, young_of(law));
-  material.required("n", jc.n, positive);
-  law.rate.form = RateFactor::Form::logarithm;
-  material.required("C", law.rate.c, not_negative);
-  material.optional("rate", law.rate.reference, positive);
-  material.optional("rate_form", law.rate.form, rate_forms);
-  if (law.rate.c == 0) law.rate.form = RateFactor::Form::none;
-  read_rate_steps(material, law);
-  if (material.has("m") || material.has("melt") || material.has("room")) {
-    material.required("m", jc.m, positive);
-    const bool whole = material.required("melt", jc.melt, any_number);
-    if (material.required("room", jc.room, any_number) && whole && jc.melt <= jc.room)
-      fault(material.at("melt"),
-            fmt::format("invalid melting temperature {:g}: not above room, {:g}; expected a higher temperature",
-                        jc.melt, jc.room));
-  }
-  read_heat(material, jc.room, law.heat);
+material::Metal judged_johnson_cook(const Key& map, const GivenMaterial& given) {
+  judge_softening(map, given);
+  material::JohnsonCook jc{.a = given.a, .b = given.b, .n = given.n};
+  if (given.m) jc.m = *given.m;
+  jc.room = given.room.value_or(jc.room);
+  jc.melt = given.melt.value_or(jc.melt);
+  material::Metal law = judged_metal(map, given, jc.room);
+  judge_yield(map, "A", jc.a, young_of(law));
+  if (jc.b > largest_yield * young_of(law)) judge_yield(map, "B", jc.b, young_of(law));
+  law.rate = {given.c == 0 ? Form::none : given.rate_form, given.c, given.rate};
   law.strength = jc;
-  read_damage(material, law);
+  law.fracture = fracture_of(given, law.rate);
   return law;
 }
 
-material::Metal read_piecewise_linear(Section& material) {
-  material::Metal law;
-  read_moduli(material, positive, law);
-  material::TableStrength strength;
-  if (material.has("hardening_table")) {
-    for (const char* name : {"yield", "hardening"})
-      if (material.has(name))
-        fault(material.at(name),
-              "invalid together with hardening_table; expected yield and hardening, or the table alone");
-    read_hardening_table(material.at("hardening_table"), strength.table);
-    if (!strength.table.empty()) check_yield(material, "hardening_table", strength.table[0][1], young_of(law));
-  } else {
-    double yield = 0, hardening = 0;
-    material.required("yield", yield, positive);
-    check_yield(material, "yield", yield, young_of(law));
-    material.optional("hardening", hardening, not_negative);
+material::Metal judged_piecewise_linear(const Key& map, const GivenMaterial& given) {
+  judge_hardening(map);
+  material::Metal law = judged_metal(map, given, material::Heat{}.start);
+  material::TableStrength strength{given.table};
+  if (!has(map, "hardening_table")) {
+    judge_yield(map, "yield", given.yield, young_of(law));
     constexpr double far = 1000;  // of plastic strain: beyond any physical value
-    strength.table = {{0, yield}, {far, yield + far * hardening}};
+    strength.table = {{0, given.yield}, {far, given.yield + far * given.hardening}};
+  } else if (!strength.table.empty()) {
+    judge_yield(map, "hardening_table", strength.table[0][1], young_of(law));
   }
-  if (material.has("cowper_symonds")) {
-    Section rate(material.at("cowper_symonds"), "a map {rate: number, exponent: number}");
-    double exponent = 1;
-    law.rate.form = RateFactor::Form::cowper_symonds;
-    rate.required("rate", law.rate.reference, positive);
-    rate.required("exponent", exponent, positive);
-    law.rate.c = 1 / exponent;
-  }
-  read_rate_steps(material, law);
-  read_heat(material, 0, law.heat);
-  if (strength.table.empty()) strength.table = {{0, 1}};  // a fault has been reported
+  if (given.cowper_symonds)
+    law.rate = {Form::cowper_symonds, 1 / given.cowper_symonds->exponent, given.cowper_symonds->rate};
   law.strength = strength;
-  read_damage(material, law);
+  law.fracture = fracture_of(given, law.rate);
   return law;
 }
 
-material::Metal read_hydrodynamic(Section& material) {
-  material::Metal law;
-  if (!material.has("eos")) lacking(material.key(), {"eos"}, "missing equation of state; expected eos: {model: ...}");
-  read_moduli(material, not_negative, law);  // without shear: a fluid
-  material::LinearStrength strength;
-  material.required("yield", strength.yield, not_negative);
-  check_yield(material, "yield", strength.yield, young_of(law));
-  material.optional("hardening", strength.hardening, not_negative);
-  material.optional("pressure_yield", strength.pressure_yield, not_negative);
-  read_rate_steps(material, law);
-  read_heat(material, 0, law.heat);
-  law.strength = strength;
-  read_damage(material, law);
+material::Metal judged_hydrodynamic(const Key& map, const GivenMaterial& given) {
+  material::Metal law = judged_metal(map, given, material::Heat{}.start);
+  judge_yield(map, "yield", given.yield, young_of(law));
+  law.strength = material::LinearStrength{given.yield, given.hardening, given.pressure_yield};
+  law.fracture = fracture_of(given, law.rate);
   return law;
-}
-
-material::Foam read_foam(Section& material) {
-  material::Foam law;
-  material.required("density", law.density, positive);
-  material.required("young", law.young, positive);
-  constexpr std::string_view expected = "a list of [volumetric strain in compression, yield stress], the first at 0";
-  if (material.has("yield_table")) {
-    read_hardening_table(material.at("yield_table"), law.table);
-    for (const auto& [lost, yield] : law.table)
-      if (lost >= 1)
-        fault(material.at("yield_table"), "out of range: a volumetric strain of 1 or more; expected values below 1");
-    if (!law.table.empty()) check_yield(material, "yield_table", law.table[0][1], law.young);
-  } else {
-    lacking(material.key(), {"yield_table"}, fmt::format("missing yield_table; expected {}", expected));
-  }
-  if (law.table.empty()) law.table = {{0, 1}};  // a fault has been reported
-  law.tension = law.table.front()[1];
-  material.optional("tension", law.tension, not_negative);
-  return law;
-}
-
-void read_damage(Section& material, material::Metal& law) {
-  if (!material.has("damage")) return;
-  Section section(material.at("damage"), "a map {D1: number, D2: number, D3: number, D4: number, D5: number}");
-  material::Fracture fracture;
-  section.required("D1", fracture.d1, any_number);
-  section.required("D2", fracture.d2, not_negative);
-  section.required("D3", fracture.d3, any_number);
-  section.optional("D4", fracture.rate.c, any_number);
-  section.optional("D5", fracture.d5, any_number);
-  if (fracture.d5 <= -1)
-    fault(section.at("D5"), fmt::format("out of range: {:g} makes the strain at fracture negative below the melting "
-                                        "temperature; expected a number > -1",
-                                        fracture.d5));
-  if (section.is_map() && fracture.d1 + fracture.d2 <= 0)
-    fault(section.key(),
-          fmt::format("out of range: D1 + D2 = {:g} makes the strain at fracture negative in shear; expected a sum > 0",
-                      fracture.d1 + fracture.d2));
-  if (fracture.d3 > 0)
-    fault(section.at("D3"),
-          "out of range: a positive value would increase ductility in tension; expected a number <= 0");
-  fracture.rate.form = law.rate.form == RateFactor::Form::power ? law.rate.form : RateFactor::Form::logarithm;
-  fracture.rate.reference = law.rate.form == RateFactor::Form::cowper_symonds ? 1.0 : law.rate.reference;
-  section.optional("rate", fracture.rate.reference, positive);
-  section.optional("rate_form", fracture.rate.form, rate_forms);
-  if (fracture.rate.c == 0) fracture.rate.form = RateFactor::Form::none;
-  constexpr Range to_one{0, 1, false, true, "a number > 0 and <= 1"};
-  section.optional("critical", fracture.critical, to_one);
-  section.optional("softens", fracture.softens);
-  law.fracture = fracture;
-}
-
-void read_eos(Section& material, material::Metal& law) {
-  using Model = material::EquationOfState::Model;
-  static const Choices<Model> models{
-      {{"mie_gruneisen", Model::mie_gruneisen}, {"linear_polynomial", Model::linear_polynomial}}, {}};
-  Section section(material.at("eos"), "a map {model: mie_gruneisen or linear_polynomial, ...}");
-  material::EquationOfState eos;
-  section.required("model", eos.model, models);
-  if (eos.model == Model::mie_gruneisen) {
-    section.required("c", eos.c, positive);
-    section.required("s", eos.s, not_negative);
-    section.required("gamma", eos.gamma, not_negative);
-  } else {
-    constexpr std::array<const char*, 7> names{"C0", "C1", "C2", "C3", "C4", "C5", "C6"};
-    for (std::size_t k = 0; k < names.size(); ++k)
-      if (k == 1)
-        section.required(names[k], eos.polynomial[k], positive);
-      else
-        section.optional(names[k], eos.polynomial[k], any_number);
-  }
-  section.optional("energy", eos.start_energy, any_number);
-  constexpr Range not_positive{-infinity, 0, false, true, "a number <= 0"};
-  section.optional("minimum_pressure", eos.minimum_pressure, not_positive);
-  law.eos = eos;
 }
 
 }  // namespace brunt::scene

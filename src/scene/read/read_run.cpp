@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/keys/table.hpp"
 #include "scene/read/sections.hpp"
 #include "scene/text/commas.hpp"
 #include "scene/text/duration.hpp"
@@ -22,6 +23,11 @@ void read_wall_limit(const Key& key, Run& run) {
   if (!run.wall_limit && !comma_in_value(key, expected, is_duration)) wrong(key, expected);
 }
 
+void judge_run(const Key& map, Run&) {
+  if (!has(map, "end") && !has(map, "steps"))
+    lacking(map, {"end", "steps"}, "missing end; expected end: time, or steps: count");
+}
+
 void read_fields(const Key& key, Output& output) {
   static const std::vector<std::string> fields{
       "displacement", "velocity",    "stress", "plastic_strain", "contact_pressure", "gap",
@@ -37,36 +43,56 @@ void read_fields(const Key& key, Output& output) {
   }
 }
 
-void read_every(Section& scene, std::string_view name, std::optional<double>& every) {
-  if (!scene.has(name)) return;
-  Section section(scene.at(name), "a map {every: time}");
-  section.required("every", every, positive);
-}
-
 }  // namespace
 
-void read_run(Section& scene, Input& input) {
-  Section run(scene.at("run"), "a map {end: time} or {steps: count}");
-  run.optional("end", input.run.end, positive);
-  if (run.has("steps")) {
-    GlobalIndex steps = 0;
-    if (run.required("steps", steps, Count{1, 1'000'000'000'000})) input.run.steps = steps;
-  }
-  if (run.is_map() && !run.has("end") && !run.has("steps")) {
-    lacking(run.key(), {"end", "steps"}, "missing end; expected end: time, or steps: count");
-  }
-  run.optional("cfl", input.run.cfl, courant);
-  run.optional("step_bound", input.run.step_bound, step_bounds);
-  run.optional("step", input.run.step, positive);
-  run.optional("min_step_ratio", input.run.min_step_ratio, below_one);
-  if (run.has("wall_limit")) read_wall_limit(run.at("wall_limit"), input.run);
-  if (scene.has("output")) {
-    Section output(scene.at("output"), "a map {every: time, fields: [...]}");
-    output.optional("every", input.output.every, positive);
-    if (output.has("fields")) read_fields(output.at("fields"), input.output);
-  }
-  read_every(scene, "history", input.history_every);
-  read_every(scene, "checkpoint", input.checkpoint_every);
-}
+const Table<Run> run_keys{
+    "run",
+    "a map {end: time} or {steps: count}",
+    {
+        {"end", value(&Run::end, positive), "time", "The run ends with the first step at or after this time.",
+         "required, or `steps`"},
+        {"steps", value(&Run::steps, Count{1, 1'000'000'000'000}), "-",
+         "Number of steps; with both, the first that is reached ends the run.", "required, or `end`"},
+        {"cfl", value(&Run::cfl, courant), "-", "Share of the stable step that is used."},
+        {"step_bound", value(&Run::step_bound, step_bounds), "-",
+         "Stable step of the fastest free element, or of the [assembled "
+         "mesh](../time/README.md#the-step-of-the-assembled-mesh), up to 1.4 times as long."},
+        {"step", value(&Run::step, positive), "time", "Largest step; required if all parts are rigid."},
+        {"min_step_ratio", value(&Run::min_step_ratio, below_one), "-",
+         "The run stops (exit code 3) when the stable step falls below this share of the first one."},
+        {"wall_limit", special("duration", read_wall_limit), "-",
+         "Wall-clock time after which the run writes a checkpoint and stops: `3h55m`, `90s`, or seconds."},
+    },
+    judge_run,
+};
+
+const Table<Output> output_keys{
+    "output",
+    "a map {every: time, fields: [...]}",
+    {
+        {"every", value(&Output::every, positive), "time", "Interval of the records in state.h5.",
+         "first and last state"},
+        {"fields", special("list of fields", read_fields), "-", "Names of the next table.",
+         fmt::format("`[{}]`", fmt::join(Output{}.fields, ", "))},
+    },
+};
+
+const Table<Input> history_keys{
+    "history",
+    "a map {every: time}",
+    {
+        {"every", value(&Input::history_every, positive), "time",
+         "Interval of the rows; without `history` some 200 rows are written, at least five steps apart.", required},
+    },
+};
+
+const Table<Input> checkpoint_keys{
+    "checkpoint",
+    "a map {every: time}",
+    {
+        {"every", value(&Input::checkpoint_every, positive), "time",
+         "Interval of the checkpoints; without `checkpoint` one is written at the end.", required},
+    },
+};
 
 }  // namespace brunt::scene

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/excerpt.hpp"
+#include "scene/keys/table.hpp"
 #include "scene/read/sections.hpp"
 
 namespace brunt::scene {
@@ -67,17 +68,16 @@ struct Kind {
 constexpr Kind counts{is_count, "elements", "paths of numbers of elements, such as mesh.0.box.elements.0"};
 constexpr Kind lengths{is_number, "", "paths of numbers, such as mesh.0.box.size.0"};
 
-void check_paths(Section& direction, std::string_view name, const Tree& scene, const Kind& kind) {
-  if (!direction.has(name)) return;
+/// Reads a list of paths, and checks the values that they lead to.
+void read_paths(const Key& key, std::vector<std::string>& paths, const Kind& kind) {
   const std::string_view step = kind.step, expected = kind.expected;
   const std::string list = fmt::format("a list of {}", expected);
-  const std::vector<Key> entries = items(direction.at(name), list);
-  if (entries.empty() && direction.at(name).tree->kind == Tree::Kind::list && !step.empty())
-    fault(direction.at(name), fmt::format("missing entries; expected {}", list));
+  const std::vector<Key> entries = items(key, list);
+  if (entries.empty() && is_list(key) && !step.empty()) fault(key, fmt::format("missing entries; expected {}", list));
   for (const Key& entry : entries) {
-    std::string path;
+    std::string& path = paths.emplace_back();
     if (!read(entry, path, expected)) continue;
-    const std::vector<const Tree*> values = values_at(scene, path);
+    const std::vector<const Tree*> values = values_at(*key.findings->scene, path);
     if (const std::vector<std::string> steps = steps_of(path);
         !step.empty() && std::ranges::find(steps, step) == steps.end()) {
       fault(entry, fmt::format("invalid path '{}': not a number of elements; expected {}", excerpt(path), expected));
@@ -93,25 +93,57 @@ void check_paths(Section& direction, std::string_view name, const Tree& scene, c
   }
 }
 
+/// Paths of the values that are multiplied by the same factor.
+struct Direction {
+  std::vector<std::string> counts, lengths;
+};
+const Table<Direction> direction_keys{
+    "scaling.weak",
+    "a map {counts: [...], lengths: [...]}",
+    {
+        {"counts",
+         special<Direction>("list", [](const Key& key, Direction& growth) { read_paths(key, growth.counts, counts); }),
+         "-", "Key paths of numbers of elements that are multiplied; `*` stands for every entry of a list or map.",
+         required},
+        {"lengths",
+         special<Direction>("list",
+                            [](const Key& key, Direction& growth) { read_paths(key, growth.lengths, lengths); }),
+         "-", "Key paths of numbers that are multiplied likewise, so that elements keep their shape."},
+    },
+};
+
+struct Scaling {
+  std::vector<Direction> weak;
+};
+
+void read_directions(const Key& key, Scaling& scaling) {
+  constexpr std::string_view one_to_three = "a list of one to three directions {counts: [...], lengths: [...]}";
+  const std::vector<Key> directions = items(key, one_to_three);
+  if (is_list(key) && (directions.empty() || directions.size() > 3))
+    fault(key, fmt::format("invalid list of {} directions; expected {}", directions.size(), one_to_three));
+  for (const Key& direction : directions) direction_keys.read(direction, scaling.weak.emplace_back());
+}
+
+const Table<Scaling> scaling_keys{
+    "scaling",
+    "a map {weak: [{counts: [...], lengths: [...]}, ...]}",
+    {
+        {"weak", special("list", read_directions, {&direction_keys}), "-",
+         "One to three directions of growth. The prime factors of the number of ranks are distributed over them.",
+         required},
+    },
+};
+
 }  // namespace
 
-void read_scaling(Section& scene) {
-  if (!scene.has("scaling")) return;
-  Section scaling(scene.at("scaling"), "a map {weak: [{counts: [...], lengths: [...]}, ...]}");
-  if (!scaling.is_map()) return;
-  if (!scaling.has("weak")) return lacking(scaling.key(), {"weak"}, "missing growth; expected weak: [{counts: [...]}]");
-  constexpr std::string_view one_to_three = "a list of one to three directions {counts: [...], lengths: [...]}";
-  const Key weak = scaling.at("weak");
-  const std::vector<Key> directions = items(weak, one_to_three);
-  if (weak.tree->kind == Tree::Kind::list && (directions.empty() || directions.size() > 3))
-    fault(weak, fmt::format("invalid list of {} directions; expected {}", directions.size(), one_to_three));
-  for (const Key& key : directions) {
-    Section direction(key, "a map {counts: [...], lengths: [...]}");
-    if (direction.is_map() && !direction.has("counts"))
-      lacking(direction.key(), {"counts"}, "missing counts; expected counts: [mesh.0.box.elements.0]");
-    check_paths(direction, "counts", *scene.key().tree, counts);
-    check_paths(direction, "lengths", *scene.key().tree, lengths);
-  }
+Value<Input> scaling_value() {
+  return {.type = "map",
+          .read =
+              [](const Key& key, Input&) {
+                Scaling checked_only;
+                scaling_keys.read(key, checked_only);
+              },
+          .inner = {&scaling_keys}};
 }
 
 }  // namespace brunt::scene

@@ -49,6 +49,21 @@ Key child(const Key& parent, const Tree& tree, std::string_view name) {
   return {&tree, tree.place, fmt::format("{}{}{}", parent.path, parent.path.empty() ? "" : ".", name), parent.findings};
 }
 
+/// The known key that a misspelt one is nearest to: preferably one that the map lacks, whose fault is taken back.
+std::string meant_key(const Key& map, const std::string& name, std::span<const std::string> known) {
+  std::string meant = nearest(name, known);
+  std::vector<Missing>& missing = map.findings->missing;
+  for (auto lack = missing.begin(); lack != missing.end(); ++lack) {
+    if (lack->path != map.path) continue;
+    const std::string wanted = nearest(name, lack->names);
+    if (!is_near(name, wanted) || edit_distance(name, wanted) > edit_distance(name, meant)) continue;
+    map.findings->faults.take_back(lack->fault);
+    missing.erase(lack);
+    return wanted;
+  }
+  return meant;
+}
+
 }  // namespace
 
 void fault(const Key& key, std::string_view what) {
@@ -73,8 +88,58 @@ bool wrong(const Key& key, std::string_view expected) {
   return false;
 }
 
+void warn(const Key& key, std::string_view what) {
+  key.findings->warnings.push_back(fmt::format("{}: {}", place_of(key), what));
+}
+
 void lacking(const Key& map, std::vector<std::string> names, std::string_view what) {
   map.findings->missing.push_back({map.path, std::move(names), map.findings->faults.add(map.place, map.path, what)});
+}
+
+bool is_map(const Key& key) {
+  return key.tree != nullptr && key.tree->kind == Tree::Kind::map;
+}
+
+bool is_list(const Key& key) {
+  return key.tree != nullptr && key.tree->kind == Tree::Kind::list;
+}
+
+bool is_value(const Key& key) {
+  return key.tree != nullptr && key.tree->kind == Tree::Kind::value;
+}
+
+bool has(const Key& map, std::string_view name) {
+  return is_map(map) && map.tree->find(name) != nullptr;
+}
+
+Key at(const Key& map, std::string_view name) {
+  if (has(map, name)) return child(map, *map.tree->find(name), name);
+  return {nullptr, map.place, fmt::format("{}{}{}", map.path, map.path.empty() ? "" : ".", name), map.findings};
+}
+
+Key scene_of(const Key& key) {
+  const Tree* scene = key.findings->scene;
+  return {scene, scene->place, "", key.findings};
+}
+
+Key at(const Key& list, std::size_t entry) {
+  return child(list, list.tree->children[entry], std::to_string(entry));
+}
+
+bool demand(const Key& map, std::string_view name, std::string_view expected) {
+  return has(map, name) || wrong(at(map, name), expected);
+}
+
+bool demand_one(const Key& map, std::vector<std::string> names, std::string_view missing, std::string_view several) {
+  const auto given = std::ranges::count_if(names, [&](const std::string& name) { return has(map, name); });
+  if (given > 1) fault(map, several);
+  if (given == 0) lacking(map, std::move(names), missing);
+  return given == 1;
+}
+
+void refuse_any(const Key& map, std::initializer_list<const char*> names, std::string_view what) {
+  for (const char* name : names)
+    if (has(map, name)) fault(at(map, name), what);
 }
 
 bool later(const Key& key, std::string_view what, std::string_view expected) {
@@ -98,13 +163,6 @@ bool read(const Key& key, double& target, const Range& range) {
     return false;
   }
   target = *number;
-  return true;
-}
-
-bool read(const Key& key, std::optional<double>& target, const Range& range) {
-  double number = 0;
-  if (!read(key, number, range)) return false;
-  target = number;
   return true;
 }
 
@@ -230,57 +288,13 @@ bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions
   return empty_list ? wrong(key, expected) : good;
 }
 
-Section::Section(const Key& key, std::string_view expected)
-    : key_(key), is_map_(key.tree != nullptr && key.tree->kind == Tree::Kind::map) {
-  if (!is_map_) wrong(key, expected);
-}
-
-Section::~Section() {
-  if (!is_map_) return;
-  for (std::size_t i = 0; i < key_.tree->keys.size(); ++i) {
-    const std::string& name = key_.tree->keys[i];
-    if (std::find(known_.begin(), known_.end(), name) == known_.end()) refuse(i);
+void refuse_unknown(const Key& map, std::span<const std::string> known, std::span<const std::string> silent) {
+  for (const std::string& name : map.tree->keys) {
+    if (std::ranges::find(known, name) != known.end() || std::ranges::find(silent, name) != silent.end()) continue;
+    const std::string meant = meant_key(map, name, known);
+    fault(at(map, name),
+          fmt::format("unknown key{}; expected one of {}", did_you_mean(name, std::span(&meant, 1)), listed(known)));
   }
-}
-
-void Section::refuse(std::size_t position) const {
-  const std::string& name = key_.tree->keys[position];
-  const Tree& value = key_.tree->children[position];
-  const Key key = child(key_, value, name);
-  std::string meant = nearest(name, known_);
-  std::vector<Missing>& missing = key_.findings->missing;
-  for (auto lack = missing.begin(); lack != missing.end(); ++lack) {
-    if (lack->path != key_.path) continue;
-    const std::string wanted = nearest(name, lack->names);
-    if (!is_near(name, wanted) || edit_distance(name, wanted) > edit_distance(name, meant)) continue;
-    meant = wanted;
-    key_.findings->faults.take_back(lack->fault);
-    missing.erase(lack);
-    break;
-  }
-  fault(key,
-        fmt::format("unknown key{}; expected one of {}", did_you_mean(name, std::span(&meant, 1)), listed(known_)));
-}
-
-void Section::know(std::string_view name) {
-  if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.emplace_back(name);
-}
-
-bool Section::has(std::string_view name) {
-  know(name);
-  return is_map_ && key_.tree->find(name) != nullptr;
-}
-
-Key Section::at(std::string_view name) {
-  know(name);
-  const Tree* tree = is_map_ ? key_.tree->find(name) : nullptr;
-  if (tree != nullptr) return child(key_, *tree, name);
-  return {nullptr, key_.place, fmt::format("{}{}{}", key_.path, key_.path.empty() ? "" : ".", name), key_.findings};
-}
-
-void Section::not_yet(std::string_view name, std::string_view expected) {
-  if (!is_map_ || key_.tree->find(name) == nullptr) return;
-  later(at(name), fmt::format("'{}'", name), expected);
 }
 
 }  // namespace brunt::scene

@@ -3,6 +3,7 @@
 // value and leaves the target unchanged.
 #pragma once
 #include <array>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <span>
@@ -38,6 +39,8 @@ struct Findings {
   Faults faults;
   std::vector<Missing> missing;
   std::vector<Reference> references;
+  std::vector<std::string> warnings;  ///< of valid input
+  const Tree* scene = nullptr;        ///< the whole scene
 };
 
 /// A value to read: its place in the tree (null if it is missing) and its name.
@@ -54,10 +57,32 @@ std::string place_of(const Key& key);
 /// Adds the fault "missing; expected EXPECTED" or "invalid value 'TEXT'; expected EXPECTED". Always returns false, so
 /// that a reader can return it.
 bool wrong(const Key& key, std::string_view expected);
+/// Adds a warning about a value: "FILE:LINE: KEY PATH: what".
+void warn(const Key& key, std::string_view what);
 /// The fault of a map that has none of the keys `names`.
 void lacking(const Key& map, std::vector<std::string> names, std::string_view what);
 /// The fault of a value or key of a later version. Always returns false.
 bool later(const Key& key, std::string_view what, std::string_view expected);
+
+[[nodiscard]] bool is_map(const Key& key);
+[[nodiscard]] bool is_list(const Key& key);
+[[nodiscard]] bool is_value(const Key& key);  ///< a word or number
+/// Whether a map has a key.
+[[nodiscard]] bool has(const Key& map, std::string_view name);
+/// The value of a key of a map, or a missing one.
+[[nodiscard]] Key at(const Key& map, std::string_view name);
+/// The top level of the scene that has this value.
+[[nodiscard]] Key scene_of(const Key& key);
+/// The value of an entry of a list.
+[[nodiscard]] Key at(const Key& list, std::size_t entry);
+/// Adds the fault of a missing key to a map that lacks it. Returns whether the map has it.
+bool demand(const Key& map, std::string_view name, std::string_view expected);
+/// Judges keys of which a map must have exactly one: adds the fault `missing` or `several`.
+bool demand_one(const Key& map, std::vector<std::string> names, std::string_view missing, std::string_view several);
+/// The fault of keys that exclude each other: the one of each of `names` that the map has.
+void refuse_any(const Key& map, std::initializer_list<const char*> names, std::string_view what);
+/// Adds a fault, with the nearest known key, for each key of a map that is neither known nor `silent`.
+void refuse_unknown(const Key& map, std::span<const std::string> known, std::span<const std::string> silent = {});
 
 struct Range {
   double low, high;
@@ -88,13 +113,20 @@ struct Choices {
 };
 
 bool read(const Key& key, double& target, const Range& range);
-bool read(const Key& key, std::optional<double>& target, const Range& range);
 bool read(const Key& key, GlobalIndex& target, Count count);
 bool read(const Key& key, int& target, Count count);
 bool read(const Key& key, bool& target);
 bool read(const Key& key, std::string& target, std::string_view expected);
 bool read(const Key& key, std::string& target, Named kind);  ///< also records the reference
 bool read(const Key& key, Vec3& target, Vector kind);
+
+template <class Value, class... How>
+bool read(const Key& key, std::optional<Value>& target, const How&... how) {
+  Value value{};
+  if (!read(key, value, how...)) return false;
+  target = value;
+  return true;
+}
 
 /// Entries of a list of `size` entries (any number for 0); empty, with a fault, for anything else.
 std::vector<Key> items(const Key& key, std::string_view expected, std::size_t size = 0);
@@ -128,46 +160,15 @@ bool read(const Key& key, Value& target, const Choices<Value>& choices) {
   return chosen < now.size();
 }
 
+/// Whether a value is one of the words.
+template <class Value>
+bool is_word_of(const Choices<Value>& choices, const Key& key) {
+  for (const auto& [word, value] : choices.now)
+    if (is_value(key) && key.tree->text == word) return true;
+  return false;
+}
+
 /// Marks the directions named in a list: at least one, and each at most once.
 bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions);
-
-/// A map with known keys. Every key that is queried is known. When the section is destroyed, all other keys become
-/// faults that name the nearest known key.
-class Section {
- public:
-  Section(const Key& key, std::string_view expected);
-  Section(const Section&) = delete;
-  Section& operator=(const Section&) = delete;
-  ~Section();
-
-  [[nodiscard]] const Key& key() const { return key_; }
-  [[nodiscard]] bool is_map() const { return is_map_; }
-  /// Whether the key is given. It becomes a known key.
-  bool has(std::string_view name);
-  /// The value of a key, or a missing one.
-  Key at(std::string_view name);
-  /// A key of later versions: a fault if it is given.
-  void not_yet(std::string_view name, std::string_view expected);
-
-  /// Reads the key into a target; a missing key is a fault.
-  template <class... Target>
-  bool required(std::string_view name, Target&&... target) {
-    const Key value = at(name);
-    return is_map_ && read(value, std::forward<Target>(target)...);
-  }
-  /// Reads the key into a target if it is given.
-  template <class... Target>
-  bool optional(std::string_view name, Target&&... target) {
-    return has(name) && read(at(name), std::forward<Target>(target)...);
-  }
-
- private:
-  void know(std::string_view name);
-  void refuse(std::size_t position) const;  ///< of an unknown key
-
-  Key key_;
-  bool is_map_;
-  std::vector<std::string> known_;
-};
 
 }  // namespace brunt::scene

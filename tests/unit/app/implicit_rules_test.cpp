@@ -23,30 +23,7 @@ scene::Input input(const std::string& more, const std::string& solver = "solver:
       "scene.yaml");
 }
 
-std::vector<std::string> faults(const std::string& more, const std::string& solver = "solver: implicit\n") {
-  return app::faults_of_implicit(input(more, solver), {});
-}
-
 }  // namespace
-
-TEST_CASE("implicit rules: keys of explicit scenes are refused, each in a line that names the other") {
-  CHECK(faults("run: {end: 1}\n").empty());
-  const std::vector<std::string> told = faults("run: {end: 1, cfl: 0.5}\ndamping: {alpha: 1}\n");
-  REQUIRE(told.size() == 2);
-  CHECK_THAT(told[0], Contains("scene.yaml:6: run.cfl: ") && Contains("expected solver.step"));
-  CHECK_THAT(told[1], Contains("damping: invalid in an implicit scene"));
-}
-
-TEST_CASE("implicit rules: contact is mortar contact in implicit scenes, and not in explicit ones") {
-  REQUIRE(faults("run: {end: 1}\ncontact: [{between: [a, b]}]\n").size() == 1);
-  CHECK(faults("run: {end: 1}\ncontact: [{between: [a, b], method: mortar}]\n").empty());
-  const auto told = faults("run: {end: 1}\ncontact: [{between: [a, b], method: mortar}]\n", "");
-  REQUIRE(told.size() == 1);
-  CHECK_THAT(told[0], Contains("mortar contact exists in implicit scenes only"));
-  const auto offset = faults("run: {end: 1}\ncontact: [{between: [a, b], method: mortar, initial_overlap: offset}]\n");
-  REQUIRE(offset.size() == 1);
-  CHECK_THAT(offset[0], Contains("offset in an implicit scene"));
-}
 
 TEST_CASE("implicit rules: elements without stiffness against hourglass modes are refused") {
   model::Model model;

@@ -129,7 +129,7 @@ TEST_CASE("wrong noses are refused at their key", "[scene]") {
   refuse("{shape: cone, half_angle: 90}", "nose.half_angle", "< 90 degrees");
   refuse("{shape: cone, length: 1, tip_radius: 2}", "nose.tip_radius", "a number > 0 and < 2");
   refuse("{shape: cone, length: 1, crh: 2}", "nose.crh", "unknown key");
-  refuse("{shape: cone, length: 1, elements: 2}", "nose.elements", "unknown key");
+  refuse("{shape: cone, length: 1, elements: 2}", "nose.elements", "invalid without tip_radius");
   refuse("{shape: hemisphere, tip_radius: 1}", "nose.tip_radius", "unknown key");
   refuse("{shape: ogive, crh: 0.4}", "nose.crh", "a number >= 0.5");
   refuse("{shape: blunt, chamfer: 2}", "nose.chamfer", "not below the radius");

@@ -59,7 +59,8 @@ TEST_CASE("scaling: a wrong entry is one line that names it", "[scene]") {
   check_message("{weak: [{counts: [mesh.*.box.elements.0], lengths: [mesh.0.box.part]}]}", "scaling.weak.0.lengths.0",
                 "paths of numbers");
   check_message("{weak: [{count: [mesh.0.box.elements.0]}]}", "scaling.weak.0.count", "did you mean 'counts'");
-  check_message("{weak: [{lengths: [mesh.0.box.size.0]}]}", "scaling.weak.0", "missing counts");
+  check_message("{weak: [{lengths: [mesh.0.box.size.0]}]}", "scaling.weak.0.counts",
+                "missing; expected a list of paths");
   check_message("{weak: []}", "scaling.weak", "0 directions");
   check_message("{weak: 2}", "scaling.weak", "one to three directions");
   check_message("{weka: []}", "scaling.weka", "did you mean 'weak'");

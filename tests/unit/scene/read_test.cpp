@@ -225,7 +225,8 @@ TEST_CASE("contact, probes and the run are read", "[scene]") {
   CHECK(input.contact[1].slave == Slave::second);
   CHECK(input.contact[2].slave == Slave::first);
   CHECK(input.contact[1].passes == contact::Passes::automatic);
-  CHECK(input.contact[3].passes == contact::Passes::two);  // kept from the entry before
+  CHECK(input.contact[2].passes == contact::Passes::two);
+  CHECK(input.contact[3].passes == contact::Passes::automatic);  // whatever the entry before has
   CHECK(input.contact[3].slave == Slave::automatic);
   CHECK(input.contact[4].passes == contact::Passes::averaged);
   REQUIRE(input.probes.size() == 4);

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene/read/sections.hpp"
+#include "scene/rules/rules.hpp"
 #include "scene/text/units.hpp"
 
 namespace brunt::scene {
@@ -51,17 +51,17 @@ std::string as_weight(double density, const UnitSystem& units) {
                      density, units.length, mass, units.density, gravity, units.length, units.time, in_si);
 }
 
-bool warn_of_density(Section& material, double density, const UnitSystem& units, Input& input) {
+bool warn_of_density(const Key& material, double density, const UnitSystem& units) {
   const double in_si = density_in_si(density, units);
   if (of_matter.holds(in_si)) return false;
-  std::string what = fmt::format("{}: {:g} {}", place_of(material.at("density")), density, units.density);
+  std::string what = fmt::format("{:g} {}", density, units.density);
   if (units.name != "SI") what += fmt::format(" ({:.3g} kg/m^3)", in_si);
   what += fmt::format(" is outside the densities of known matter, {:g} to {:g} kg/m^3", of_matter.low, of_matter.high);
   const std::string weight = as_weight(density, units);
   const std::string other = better_system(density, false);
   const std::string american = is_american(units) || other.empty() ? better_system(density, true) : "";
   what += weight.empty() ? american + other : weight;
-  input.warnings.push_back(what);
+  warn(at(material, "density"), what);
   return true;
 }
 
@@ -106,29 +106,29 @@ bool is_heavy_and_soft(double speed, double density, const UnitSystem& units) {
 }
 
 /// Speed of pressure waves in the unstrained solid, sqrt((lambda + 2 mu) / rho).
-void warn_of_speed(Section& material, const material::Law& law, const UnitSystem& units, Input& input) {
+void warn_of_speed(const Key& material, const material::Law& law, const UnitSystem& units) {
   const material::ElasticModuli moduli = material::initial_moduli(law);
   const double stiffness = moduli.lambda + 2 * moduli.mu, density = density_in_si(moduli.density, units);
   const double speed = std::sqrt(stress_in_si(stiffness, units) / density);
   if (of_waves.holds(speed) && !is_heavy_and_soft(speed, density, units)) return;
-  const char* modulus = material.has("young") ? "young" : "bulk";
+  const char* modulus = has(material, "young") ? "young" : "bulk";
   std::string what = fmt::format(
-      "{}: this stiffness and density give a wave speed of {:.3g} m/s, outside that of known matter (metals 1000 to "
-      "6000, rubber 50 to 2000)",
-      place_of(material.at(modulus)), speed);
+      "this stiffness and density give a wave speed of {:.3g} m/s, outside that of known matter (metals 1000 to 6000, "
+      "rubber 50 to 2000)",
+      speed);
   what += better_unit(stiffness, density, units, modulus);
-  input.warnings.push_back(what);
+  warn(at(material, modulus), what);
 }
 
 }  // namespace
 
-void warn_of_units(Section& material, const material::Law& law, Input& input) {
-  const UnitSystem* units = find_unit_system(input.units);
+void warn_of_units(const Key& material, const material::Law& law, const std::string& unit_system) {
+  const UnitSystem* units = find_unit_system(unit_system);
   const double density = std::visit([](const auto& some) { return some.density; }, law);
   if (units == nullptr || units->metre == 0 || !(density > 0)) return;
-  if (warn_of_density(material, density, *units, input)) return;  // a warning of the speed would repeat it
+  if (warn_of_density(material, density, *units)) return;  // a warning of the speed would repeat it
   const material::ElasticModuli moduli = material::initial_moduli(law);
-  if (moduli.lambda + 2 * moduli.mu > 0) warn_of_speed(material, law, *units, input);
+  if (moduli.lambda + 2 * moduli.mu > 0) warn_of_speed(material, law, *units);
 }
 
 }  // namespace brunt::scene

@@ -6,11 +6,10 @@
 #include <algorithm>
 
 #include "core/excerpt.hpp"
-#include "read_enforcement.hpp"
 #include "scene/build/build.hpp"
 #include "scene/build/rigid_parts.hpp"
 #include "scene/curve.hpp"
-#include "scene/read/sections.hpp"
+#include "scene/rules/rules.hpp"
 #include "scene/text/nearest.hpp"
 
 namespace brunt::scene {
@@ -39,8 +38,8 @@ std::vector<std::string> defined(const Input& input, Named kind) {
 }
 
 /// Names of a missing required section are not reported separately.
-void check_uses(const Input& input, Section& scene) {
-  Findings& findings = *scene.key().findings;
+void judge_uses(const Key& scene, const Input& input) {
+  Findings& findings = *scene.findings;
   constexpr std::array words{"material", "curve", "part", "rigid wall", "joint"};
   constexpr std::array sections{"materials", "curves", "parts", "rigid_walls", "joints"};
   for (const Reference& use : findings.references) {
@@ -48,7 +47,7 @@ void check_uses(const Input& input, Section& scene) {
     const std::vector<std::string> names = defined(input, use.kind);
     if (std::find(names.begin(), names.end(), use.name) != names.end()) continue;
     const bool required = use.kind == Named::material || use.kind == Named::part;
-    if (required && scene.at(sections[kind]).tree == nullptr) continue;
+    if (required && !has(scene, sections[kind])) continue;
     const std::string what = fmt::format("unknown {} '{}'", words[kind], excerpt(use.name));
     const std::string expected =
         names.empty() ? fmt::format("; expected a name defined in {}, which is empty", sections[kind])
@@ -70,22 +69,16 @@ bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// Keys of entry i of the mesh, which may be one map or a list.
-Key mesh_key(Section& scene, std::size_t i) {
-  Key mesh = scene.at("mesh");
-  if (mesh.tree == nullptr || mesh.tree->kind != Tree::Kind::list) return mesh;
-  return items(mesh, "")[i];
-}
-
 /// Every generated body needs a part; if the whole mesh is generated, every part needs a body.
-void check_bodies(const Input& input, Section& scene) {
+void judge_bodies(const Key& scene, const Input& input) {
   std::vector<std::string> bodies;
   bool any_file = input.mesh.empty();
+  const Key mesh = at(scene, "mesh");
   std::size_t position = 0;
   for (const MeshEntry& entry : input.mesh) {
     any_file = any_file || std::holds_alternative<MeshFile>(entry.body);
     const std::string part = generated_part(entry);
-    const Key key = mesh_key(scene, position++);
+    const Key key = is_list(mesh) ? at(mesh, position++) : mesh;
     if (part.empty()) continue;
     if (std::find(bodies.begin(), bodies.end(), part) != bodies.end()) {
       fault(key, fmt::format("invalid body: part '{}' already has one; expected a part of its own for each body",
@@ -103,24 +96,21 @@ void check_bodies(const Input& input, Section& scene) {
   for (const Part& part : input.parts) {
     if (any_file || is_number(part.block)) continue;
     if (std::find(bodies.begin(), bodies.end(), part.block) != bodies.end()) continue;
-    Section parts(scene.at("parts"), "");
-    for (const std::string& name : parts.key().tree->keys) parts.has(name);
-    fault(parts.at(part.name),
+    fault(at(at(scene, "parts"), part.name),
           fmt::format("unknown block '{}'{}: no body of the mesh has this name; expected one of {}",
                       excerpt(part.block), did_you_mean(part.block, bodies), listed(bodies)));
   }
 }
 
 /// A displacement is measured from the initial position: a curve with another initial value would be a jump.
-void check_displacements(const Input& input, Section& scene) {
+void judge_displacements(const Key& scene, const Input& input) {
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& motion = input.prescribed[k];
     const auto curve = input.curves.find(motion.curve);
     if (motion.gives != Prescribed::Gives::displacement || curve == input.curves.end()) continue;
     const double start = value_at(curve->second, 0.0);
     if (start == 0) continue;
-    const Key key = items(scene.at("prescribed"), "")[k];
-    fault(key,
+    fault(at(at(scene, "prescribed"), k),
           fmt::format("invalid curve '{}': its displacement at t = 0 is {:g}, a jump of the nodes; expected 0 at t = 0",
                       excerpt(motion.curve), start));
   }
@@ -149,7 +139,7 @@ std::string fault_of_contact_probe(const Input& input, const Probe& probe) {
   return {};
 }
 
-void check_contact_probes(const Input& input, Section& scene) {
+void judge_contact_probes(const Key& scene, const Input& input) {
   const auto known = [&](const std::string& name) {
     return name.empty() || std::ranges::find(input.parts, name, &Part::name) != input.parts.end();
   };
@@ -158,25 +148,21 @@ void check_contact_probes(const Input& input, Section& scene) {
     if (probe.kind != Probe::Kind::contact || probe.where.empty() || !known(probe.where) || !known(probe.other))
       continue;
     const std::string what = fault_of_contact_probe(input, probe);
-    if (what.empty()) continue;
-    for (const auto& [name, key] : entries(items(scene.at("probes"), "")[k], ""))
-      if (name == "contact") fault(key, what);
+    if (!what.empty()) fault(at(at(at(scene, "probes"), k), "contact"), what);
   }
 }
 
 /// Warns of keys that apply to deformable elements only.
-void warn_of_unused_keys(Input& input, Section& scene) {
-  if (input.parts.empty()) return;
-  for (const auto& [part, entry] : entries(scene.at("parts"), "")) {
-    if (!names_rigid_part(input, part)) continue;
-    for (const auto& [name, key] : entries(entry, ""))
-      if (name == "element" || name == "hourglass" || name == "bulk")
-        warn(key, "no effect, since the part is rigid", input);
-  }
+void warn_of_unused_keys(const Key& scene, const Input& input) {
+  for (const Part& part : input.parts)
+    if (names_rigid_part(input, part.name))
+      for (const char* name : {"element", "hourglass", "bulk"})
+        if (const Key map = at(at(scene, "parts"), part.name); has(map, name))
+          warn(at(map, name), "no effect, since the part is rigid");
 }
 
 /// A name with two meanings.
-void check_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
+void judge_twice(const Key& section, const std::vector<std::string>& names, std::string_view what) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) ==
         names.begin() + static_cast<std::ptrdiff_t>(i)) {
@@ -191,24 +177,20 @@ void check_twice(const Key& section, const std::vector<std::string>& names, std:
 
 }  // namespace
 
-void check_references(Input& input, Section& scene) {
-  check_uses(input, scene);
-  check_bodies(input, scene);
-  check_displacements(input, scene);
-  check_contact_probes(input, scene);
-  warn_of_unused_keys(input, scene);
+void judge_names(const Key& scene, const Input& input) {
+  judge_uses(scene, input);
+  judge_bodies(scene, input);
+  judge_displacements(scene, input);
+  judge_contact_probes(scene, input);
+  warn_of_unused_keys(scene, input);
   std::vector<std::string> probes;
   for (const Probe& probe : input.probes) probes.push_back(probe.name);
-  check_twice(scene.at("probes"), probes, "probe");
-  check_twice(scene.at("joints"), defined(input, Named::joint), "joint");
-  check_twice(scene.at("rigid_walls"), defined(input, Named::wall), "rigid wall");
+  judge_twice(at(scene, "probes"), probes, "probe");
+  judge_twice(at(scene, "rigid_walls"), defined(input, Named::wall), "rigid wall");
   const std::vector<std::string> parts = defined(input, Named::part);
-  for (const SetEntry& set : input.sets) {
-    if (std::find(parts.begin(), parts.end(), set.name) == parts.end()) continue;
-    Section sets(scene.at("sets"), "");
-    for (const std::string& name : sets.key().tree->keys) sets.has(name);
-    fault(sets.at(set.name), "invalid name: a part has the same name; expected another name");
-  }
+  for (const SetEntry& set : input.sets)
+    if (std::find(parts.begin(), parts.end(), set.name) != parts.end())
+      fault(at(at(scene, "sets"), set.name), "invalid name: a part has the same name; expected another name");
 }
 
 }  // namespace brunt::scene

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joints and reference points of rigid parts: what they may connect, and where they exist.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/excerpt.hpp"
+#include "scene/build/rigid_parts.hpp"
+#include "scene/rules/rules.hpp"
+
+namespace brunt::scene {
+namespace {
+
+std::string fault_of(const Input& input, const Joint& joint) {
+  const auto& [one, other] = joint.between;
+  for (const std::string& part : joint.between)
+    if (part != ground_name && !names_rigid_part(input, part))
+      return fmt::format("invalid part '{}': it is deformable; expected rigid parts, or one and ground", excerpt(part));
+  if (one == ground_name && other == ground_name)
+    return "invalid joint of the ground with itself; expected a rigid part";
+  if (one != ground_name && other != ground_name && lead_of(input, one) == lead_of(input, other))
+    return fmt::format("invalid joint: '{}' and '{}' are one body; expected two rigid bodies", excerpt(one),
+                       excerpt(other));
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> faults_of_joints(const Input& input) {
+  std::vector<std::string> faults;
+  const auto add = [&](const std::string& key, const std::string& what) {
+    faults.push_back(fmt::format("{}: {}", input.at(key), what));
+  };
+  for (std::size_t k = 0; k < input.joints.size(); ++k)
+    if (const std::string what = fault_of(input, input.joints[k]); !what.empty())
+      add(fmt::format("joints.{}.between", k), what);
+  const bool names_ground = std::ranges::find(input.parts, ground_name, &Part::name) != input.parts.end();
+  if (names_ground && !input.joints.empty())
+    add("joints", "a part is named 'ground', the word for space itself in joints; expected another name of the part");
+  if (input.relaxation && !input.joints.empty())
+    add("relaxation",
+        "invalid relaxation: joints have no static state before t = 0 in this version; expected no joints");
+  const auto is_held = [&](const Part& part) { return part.rigid && part.rigid->reference; };
+  for (const Part& part : input.parts) {
+    if (!is_held(part)) continue;
+    const std::string key = fmt::format("parts.{}.rigid.reference", part.name);
+    if (input.relaxation)
+      add(key, "invalid in a scene with relaxation, whose supports hold the centre of mass; expected no reference");
+    if (input.implicit)
+      add(key, "invalid in an implicit scene, whose supports hold the centre of mass; expected no reference");
+  }
+  for (std::size_t k = 0; k < input.probes.size(); ++k) {
+    const auto joint = std::ranges::find(input.joints, input.probes[k].where, &Joint::name);
+    if (input.probes[k].field == "angle" && joint != input.joints.end() && joint->kind != rigid::JointKind::revolute)
+      add(fmt::format("probes.{}.field", k),
+          fmt::format("invalid field 'angle': '{}' turns about all axes; expected force, moment or gap",
+                      excerpt(joint->name)));
+  }
+  if (input.implicit && !input.joints.empty())
+    add("joints", "invalid in an implicit scene, which has no joints in this version; expected no joints");
+  return faults;
+}
+
+}  // namespace brunt::scene
