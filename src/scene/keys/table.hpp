@@ -34,8 +34,9 @@ Value<T> value(M T::*member, How... how) {
 
 /// A value with a reader of its own. `read` meets a missing key (`key.tree` is null) only if the key is required.
 template <class T>
-Value<T> special(std::string type, void (*read)(const Key&, T&), std::vector<const Described*> inner = {}) {
-  return {.type = std::move(type), .read = read, .inner = std::move(inner)};
+Value<T> special(const std::string& type, void (*read)(const Key&, T&),
+                 const std::vector<const Described*>& inner = {}) {
+  return {.type = type, .read = read, .inner = inner};
 }
 
 /// The kinds or models that have a key.
@@ -88,6 +89,7 @@ Row<Whole> within(T Whole::*member, const Row<T>& row) {
 template <class Whole, class T>
 std::vector<Row<Whole>> within(T Whole::*member, const std::vector<Row<T>>& rows) {
   std::vector<Row<Whole>> all;
+  all.reserve(rows.size());
   for (const Row<T>& row : rows) all.push_back(within(member, row));
   return all;
 }
@@ -108,9 +110,10 @@ class Table : public Described {
   using Kind = std::string_view (*)(const T& target);
 
   /// expected: what messages expect where no map is given.
-  Table(std::string map, std::string expected, std::vector<Row<T>> keys, Judge judge = nullptr, Kind kind = nullptr)
+  Table(const std::string& map, std::string expected, std::vector<Row<T>> keys, Judge judge = nullptr,
+        Kind kind = nullptr)
       : expected_(std::move(expected)), keys_(std::move(keys)), judge_(judge), kind_(kind) {
-    name = std::move(map);
+    name = map;
     const T missing{};
     for (Row<T>& row : keys_) {
       if (row.said.fallback.empty()) row.said.fallback = row.value.shown ? row.value.shown(missing) : "none";

@@ -55,7 +55,7 @@ std::string meant_key(const Key& map, const std::string& name, std::span<const s
   std::vector<Missing>& missing = map.findings->missing;
   for (auto lack = missing.begin(); lack != missing.end(); ++lack) {
     if (lack->path != map.path) continue;
-    const std::string wanted = nearest(name, lack->names);
+    std::string wanted = nearest(name, lack->names);
     if (!is_near(name, wanted) || edit_distance(name, wanted) > edit_distance(name, meant)) continue;
     map.findings->faults.take_back(lack->fault);
     missing.erase(lack);
