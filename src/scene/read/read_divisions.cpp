@@ -84,9 +84,10 @@ bool read_divisions(Section& body, std::span<const Extent> extents, std::span<me
 
 void demand_countable(Section& body, double nodes, double elements) {
   constexpr double most = std::numeric_limits<LocalIndex>::max();
-  if (nodes <= most && 8 * elements <= most) return;
+  constexpr int corners = mesh::nodes_per_element(mesh::Shape::hex8);  // of all elements in one array
+  if (nodes <= most && corners * elements <= most) return;
   fault(body.at("elements"),
-        fmt::format("out of range: {:.3g} elements in one body; expected at most {:.3g}", elements, most / 8));
+        fmt::format("out of range: {:.3g} elements in one body; expected at most {:.3g}", elements, most / corners));
 }
 
 }  // namespace brunt::scene
