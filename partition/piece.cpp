@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "core/sorted.hpp"
 #include "mesh/topology.hpp"
@@ -70,7 +71,9 @@ std::size_t Cutter::gid(const mesh::Side& side) const {
 Cutter::RankSides Cutter::by_rank(const std::vector<mesh::Side>& sides, std::span<const Rank> part, int parts) const {
   RankSides sorted(at(parts));
   for (const mesh::Side& side : sides) sorted[at(part[gid(side)])].push_back(side);
-  const auto key = [&](const mesh::Side& side) { return gid(side) * 8 + at(side.face); };
+  const auto key = [&](const mesh::Side& side) {
+    return cells::key_of(static_cast<GlobalIndex>(gid(side)), side.face);
+  };
   const auto same = [&](const mesh::Side& a, const mesh::Side& b) { return key(a) == key(b); };
   for (std::vector<mesh::Side>& row : sorted) {
     std::ranges::sort(row, {}, key);
@@ -149,7 +152,7 @@ std::vector<mesh::ExteriorFace> Cutter::faces(const std::vector<mesh::Side>& sid
   for (const mesh::Side& side : sides) {
     const mesh::Block& block = whole_.mesh.blocks[at(side.block)];
     mesh::ExteriorFace face;
-    face.key = static_cast<GlobalIndex>(gid(side)) * 8 + side.face;
+    face.key = cells::key_of(static_cast<GlobalIndex>(gid(side)), side.face);
     face.nodes = mesh::face_nodes(block.shape, block.element(side.element), side.face);
     for (LocalIndex& node : face.nodes)
       if (node != no_index) node = local_[at(node)];

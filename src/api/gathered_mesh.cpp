@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/cells.hpp"
 #include "mesh/check.hpp"
 
 namespace brunt::api {
@@ -25,21 +26,32 @@ struct Element {
   GlobalIndex number = 0;
   std::int32_t part = 0;
   Rank rank = 0;
-  bool tetrahedron = false;
-  std::array<GlobalIndex, 8> corner{};  ///< numbers of nodes, of a tetrahedron the first four
+  cells::Shape shape = cells::Shape::hex8;
+  std::array<GlobalIndex, cells::most_corners> corner{};  ///< numbers of nodes, of a tetrahedron the first four
 };
+
+/// Numbers of ContactMesh::corner for each element, whatever its shape.
+constexpr std::size_t places = cells::most_corners;
+
+cells::Shape shape_at(const ContactMesh& given, std::size_t element) {
+  constexpr std::size_t fifth = 4;
+  return given.corner[places * element + fifth] < 0 ? cells::Shape::tet4 : cells::Shape::hex8;
+}
+
+std::size_t corners_of(cells::Shape shape) {
+  return static_cast<std::size_t>(cells::of(shape).corners);
+}
 
 std::string fault_of(const ContactMesh& given) {
   const std::size_t nodes = given.node_number.size(), elements = given.element_number.size();
   if (given.position.size() != 3 * nodes || given.mass.size() != nodes)
     return "position has three numbers and mass one for each of node_number";
-  if (given.corner.size() != 8 * elements || given.part.size() != elements)
+  if (given.corner.size() != places * elements || given.part.size() != elements)
     return "corner has eight numbers and part one for each of element_number";
   if (!std::ranges::all_of(given.mass, [](double mass) { return mass > 0; })) return "masses are positive";
   if (!std::ranges::all_of(given.part, [](std::int32_t part) { return part >= 0; })) return "parts count from 0";
   for (std::size_t k = 0; k < given.corner.size(); ++k) {
-    const bool of_tetrahedron = given.corner[k - k % 8 + 4] < 0;
-    if (k % 8 >= 4 && of_tetrahedron) continue;
+    if (k % places >= corners_of(shape_at(given, k / places))) continue;
     if (given.corner[k] < 0 || static_cast<std::size_t>(given.corner[k]) >= nodes)
       return "corners are positions in node_number, from 0";
   }
@@ -93,9 +105,9 @@ std::vector<Node> unique_nodes(std::vector<Node> all) {
 std::vector<Element> elements_of(const ContactMesh& given, Rank rank) {
   std::vector<Element> mine;
   for (std::size_t e = 0; e < given.element_number.size(); ++e) {
-    Element element{given.element_number[e], given.part[e], rank, given.corner[8 * e + 4] < 0, {}};
-    for (std::size_t c = 0; c < (element.tetrahedron ? 4 : 8); ++c)
-      element.corner[c] = given.node_number[static_cast<std::size_t>(given.corner[8 * e + c])];
+    Element element{given.element_number[e], given.part[e], rank, shape_at(given, e), {}};
+    for (std::size_t c = 0; c < corners_of(element.shape); ++c)
+      element.corner[c] = given.node_number[static_cast<std::size_t>(given.corner[places * e + c])];
     mine.push_back(element);
   }
   return mine;
@@ -115,7 +127,7 @@ std::vector<Element> unique_elements(std::vector<Element> all) {
 void demand_parts_apart(const std::vector<Element>& elements) {
   std::map<GlobalIndex, std::int32_t> part_of;
   for (const Element& element : elements)
-    for (std::size_t c = 0; c < (element.tetrahedron ? 4 : 8); ++c)
+    for (std::size_t c = 0; c < corners_of(element.shape); ++c)
       if (const auto [known, is_new] = part_of.try_emplace(element.corner[c], element.part);
           !is_new && known->second != element.part)
         throw std::invalid_argument("node " + std::to_string(element.corner[c]) +
@@ -130,13 +142,13 @@ GatheredMesh joined(const std::vector<Node>& nodes, const std::vector<Element>& 
     whole.coordinates.emplace_back(node.position.data());
     whole.node_id.push_back(node.number);
   }
-  std::map<std::pair<std::int32_t, bool>, std::vector<const Element*>> blocks;  // by part, tetrahedra last
-  for (const Element& element : elements) blocks[{element.part, element.tetrahedron}].push_back(&element);
+  std::map<std::pair<std::int32_t, cells::Shape>, std::vector<const Element*>> blocks;  // by part, tetrahedra last
+  for (const Element& element : elements) blocks[{element.part, element.shape}].push_back(&element);
   std::vector<Rank> rank_of_input;
   for (const auto& [kind, members] : blocks) {
     mesh::Block block;
-    block.shape = kind.second ? mesh::Shape::tet4 : mesh::Shape::hex8;
-    block.name = "part " + std::to_string(kind.first) + (kind.second ? " (tetrahedra)" : "");
+    block.shape = kind.second;
+    block.name = "part " + std::to_string(kind.first) + (kind.second == cells::Shape::tet4 ? " (tetrahedra)" : "");
     block.id = static_cast<GlobalIndex>(whole.blocks.size()) + 1;
     for (const Element* element : members) {
       block.element_id.push_back(element->number);

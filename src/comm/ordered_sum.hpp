@@ -8,13 +8,14 @@
 
 #include "comm/communicator.hpp"
 #include "comm/halo.hpp"
+#include "core/cells.hpp"
 #include "core/ragged.hpp"
 
 namespace brunt::comm {
 
 /// A contribution of this rank to a node that other ranks also hold.
 struct Contribution {
-  GlobalIndex key = 0;  ///< orders the sum; unique for a node (element gid * 8 + corner)
+  GlobalIndex key = 0;  ///< orders the sum; unique for a node (cells::key_of its element and corner)
   GlobalIndex node_gid = 0;
   LocalIndex node = 0;  ///< local index of the node
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "contact/search/box_overlaps.hpp"
+#include "core/cells.hpp"
 #include "depth_along.hpp"
 #include "geometry/segment_in_cell.hpp"
 
@@ -20,7 +21,7 @@ using geometry::Stretch;
 
 /// What of the probe is in the element.
 Stretch part_in(const GhostElement& element, const Segment& probe) {
-  std::array<Vec3, 8> corners;
+  std::array<Vec3, cells::most_corners> corners;
   const auto count = static_cast<std::size_t>(element.corner_count);
   for (std::size_t i = 0; i < count; ++i) corners[i] = Vec3(element.corner[i].data());
   return geometry::part_in_cell(probe, {corners.data(), count});

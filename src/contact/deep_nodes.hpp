@@ -9,14 +9,15 @@
 
 #include "contact/contact.hpp"
 #include "contact/lists/ghosting.hpp"
+#include "core/cells.hpp"
 
 namespace brunt::contact {
 
 /// A hexahedron or tetrahedron that lives, with its corners at x_n.
 struct GhostElement {
   GlobalIndex gid = 0;
-  std::array<GlobalIndex, 8> nodes{};  ///< gids, no_index to fill
-  std::array<std::array<double, 3>, 8> corner{};
+  std::array<GlobalIndex, cells::most_corners> nodes{};  ///< gids, no_index to fill
+  std::array<std::array<double, 3>, cells::most_corners> corner{};
   std::int32_t corner_count = 8, block = 0;
   PlainBox capture{};  ///< around it
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/deep_nodes.hpp"
+#include "core/cells.hpp"
 #include "geometry/box.hpp"
 #include "geometry/closest_point.hpp"
 #include "geometry/segments.hpp"
@@ -29,7 +30,7 @@ struct WatchedSide {
   GlobalIndex key = 0;
   std::array<std::array<double, 3>, 4> corner{};
   std::array<GlobalIndex, 4> gid{};
-  std::array<GlobalIndex, 8> element{};
+  std::array<GlobalIndex, cells::most_corners> element{};
   std::int32_t corner_count = 4;
   double element_depth = 0;
   PlainBox capture{};

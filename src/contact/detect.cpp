@@ -12,8 +12,12 @@
 namespace brunt::contact {
 namespace {
 
+StepView view_of(const Contact& contact, double dt) {
+  return {contact.lists.nodes.gid, contact.step.nodes.motion, dt, contact.derived.detection};
+}
+
 /// The ends of a slave edge may have their rows on other ranks.
-void detect_crossing_edges(const DetectionSettings& settings, double dt, ContactLists& lists, StepData& step) {
+void detect_crossing_edges(const StepView& view, ContactLists& lists, StepData& step) {
   std::vector<NodeHold>& holds = step.scratch.holds;
   holds.assign(lists.nodes.gid.size(), {});
   for (const Row& row : step.rows) {
@@ -21,19 +25,16 @@ void detect_crossing_edges(const DetectionSettings& settings, double dt, Contact
     if (hold.normal.isZero(0)) hold = {row.normal, static_cast<double>(row.master_body)};
   }
   lists.exchange.share(as_doubles(holds), hold_width);
-  detect_edges(lists.edges, lists.nodes.gid, step.nodes.motion, step.scratch.detection.facet_normal, holds,
-               step.nodes.reference, dt, settings, step.rows);
+  detect_edges(view, {lists.edges, step.scratch.detection.facet_normal, holds, step.nodes.reference}, step.rows);
 }
 
 double measured_separation(const Contact& contact, const StepInput& input) {
   const ContactLists& lists = contact.lists;
-  const DetectionSettings& settings = contact.derived.detection;
-  const std::vector<NodeMotion>& motion = contact.step.nodes.motion;
+  const StepView view = view_of(contact, input.dt);
   double least = contact.tied.ties.empty() ? std::numeric_limits<double>::infinity() : 0.0;
-  least =
-      std::min(least, separation_of_faces(lists.candidates, contact.step.scratch.detection.reach, motion, input.dt));
-  least = std::min(least, separation_of_edges(lists.edges, motion, input.dt, settings));
-  least = std::min(least, separation_of_walls(lists.wall_candidates, input.walls, motion, input.dt, settings));
+  least = std::min(least, separation_of_faces(view, lists.candidates, contact.step.scratch.detection.reach));
+  least = std::min(least, separation_of_edges(view, lists.edges));
+  least = std::min(least, separation_of_walls(view, lists.wall_candidates, input.walls));
   return contact.ranks.min(least);
 }
 
@@ -47,19 +48,19 @@ bool nothing_can_meet(const Contact& contact) {
 
 void find_rows(Contact& contact, const StepInput& input) {
   const double dt = input.dt;
-  const DetectionSettings& settings = contact.derived.detection;
+  const StepView view = view_of(contact, dt);
   ContactLists& lists = contact.lists;
   StepData& step = contact.step;
-  detect_faces(lists.candidates, lists.faces, lists.nodes.gid, step.nodes.motion, step.facet_area, dt, settings,
-               contact.history.pairs, step.scratch.detection, step.rows, contact.history.births);
+  detect_faces(view, {lists.candidates, lists.faces, step.facet_area, contact.history.pairs, contact.history.births},
+               step.scratch.detection, step.rows);
   if (contact.elements_are_gone) {
     const BirthScene births{contact.history.pairs, step.nodes.motion, dt, contact.births_due};
     follow_births(births, step.rows, contact.history.births, step.scratch.births);
   }
   contact.births_due = false;
-  if (lists.any_edges) detect_crossing_edges(settings, dt, lists, step);
+  if (lists.any_edges) detect_crossing_edges(view, lists, step);
   if (contact.derived.tied) drop_tied_rows(contact, step.rows);
-  detect_walls(lists.wall_candidates, input.walls, lists.nodes.gid, step.nodes.motion, dt, settings, step.rows);
+  detect_walls(view, lists.wall_candidates, input.walls, step.rows);
   double& penetration = contact.ledger.sums.penetration;
   for (const Row& row : step.rows) penetration = std::max(penetration, -row.gap);
   append_tie_rows(contact, carriers_of(contact, input), dt, step.rows);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces of linear elements: a reduced kernel, since a bound of the step needs tens of products with the whole mesh.
 #include "block_loop.hpp"
+#include "core/cells.hpp"
 #include "element/hex8.hpp"
 #include "element/tet4.hpp"
 #include "force/assembled.hpp"
@@ -96,7 +97,7 @@ void linear_forces(const model::Model& model, const LinearElements& linear, cons
     if (block.count == 0 || material::is_rigid(block.law)) continue;
     const auto* entries = reinterpret_cast<const Pack*>(linear[b].data());
     const std::span<const std::uint8_t> living = lanes_of(motion.living, static_cast<LocalIndex>(b));
-    if (block.corners == 4)
+    if (block.shape == cells::Shape::tet4)
       run_linear<LinearTet>(block, entries, living, motion);
     else
       run_linear<LinearHex>(block, entries, living, motion);

@@ -12,10 +12,12 @@
 namespace brunt::force {
 namespace {
 
+constexpr int hex_corners = cells::of(cells::Shape::hex8).corners;
+
 /// Smallest Jacobian at a corner over the one of largest magnitude, for each element of a batch.
-Pack least_of_corners(const Pack (&x)[3][8]) {
+Pack least_of_corners(const Pack (&x)[3][hex_corners]) {
   Pack least = broadcast(std::numeric_limits<double>::max()), largest = broadcast(0.0);
-  for (std::size_t k = 0; k < 8; ++k) {
+  for (std::size_t k = 0; k < hex_corners; ++k) {
     const auto [a, b, c] = cells::hex_neighbours[k];
     Pack u[3], v[3], w[3];
     for (int i = 0; i < 3; ++i) {
@@ -33,10 +35,10 @@ Pack least_of_corners(const Pack (&x)[3][8]) {
 
 void look_at(const model::ElementBlock& block, std::int32_t index, const model::State& state, FoldedElements& folded) {
   constexpr double flat = -1e-6;
-  Pack x[3][8];
+  Pack x[3][hex_corners];
   for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
-    const LocalIndex* node = block.node.data() + static_cast<std::ptrdiff_t>(batch) * 8 * pack_width;
-    for (int c = 0; c < 8; ++c) {
+    const LocalIndex* node = block.node.data() + static_cast<std::ptrdiff_t>(batch) * hex_corners * pack_width;
+    for (int c = 0; c < hex_corners; ++c) {
       const LocalIndex* corner = node + c * pack_width;
       const auto position = [&](int lane) {
         return *reinterpret_cast<const Quad*>(state.nodes[static_cast<std::size_t>(corner[lane])].x);
@@ -65,7 +67,7 @@ void look_at(const model::ElementBlock& block, std::int32_t index, const model::
 FoldedElements folded_elements(const model::Model& model, const model::State& state) {
   FoldedElements folded;
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
-    if (model.blocks[b].corners == 8 && !material::is_rigid(model.blocks[b].law))
+    if (model.blocks[b].shape == cells::Shape::hex8 && !material::is_rigid(model.blocks[b].law))
       look_at(model.blocks[b], static_cast<std::int32_t>(b), state, folded);
   return folded;
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cells.hpp"
 #include "model/curve.hpp"
 
 namespace brunt::force {
@@ -34,7 +35,7 @@ void pressure_forces(const model::Model& model, const model::State& state, std::
     const char* lives = state.living.pressed.empty() ? nullptr : state.living.pressed[entry].data();
     for (const mesh::ExteriorFace& face : load.faces) {
       const double p = lives == nullptr || *lives++ != 0 ? whole : 0.0;  // a load ends with the element of its face
-      const int corners = face.nodes[3] == no_index ? 3 : 4;
+      const int corners = static_cast<int>(cells::corner_count(face.nodes));
       const Vec3 a = position(state, face.nodes[0]), b = position(state, face.nodes[1]),
                  c = position(state, face.nodes[2]);
       // area vector of a bilinear face: half the cross product of its diagonals
@@ -51,8 +52,9 @@ std::vector<PressureCorner> pressure_corners(const model::Model& model) {
   GlobalIndex load_number = 0;
   for (const model::PressureLoad& load : model.pressure) {
     for (const mesh::ExteriorFace& face : load.faces)
-      for (int k = 0; k < (face.nodes[3] == no_index ? 3 : 4); ++k)
-        corners.push_back({(load_number << 56) + face.key * 4 + k, face.nodes[static_cast<std::size_t>(k)]});
+      for (std::size_t k = 0; k < cells::corner_count(face.nodes); ++k)
+        corners.push_back(
+            {(load_number << 56) + cells::key_of_face_corner(face.key, static_cast<int>(k)), face.nodes[k]});
     ++load_number;
   }
   return corners;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "element/hex8_modes.hpp"
 
@@ -22,7 +23,7 @@ double tetrahedron_volume(const Quad& a, const Quad& b, const Quad& c, const Qua
 
 double element_volume(const model::ElementBlock& block, const Quad* reference, LocalIndex element) {
   const auto corner = [&](int c) -> const Quad& { return reference[block.corner_node(element, c)]; };
-  if (block.corners == 4) return tetrahedron_volume(corner(0), corner(1), corner(2), corner(3));
+  if (block.shape == cells::Shape::tet4) return tetrahedron_volume(corner(0), corner(1), corner(2), corner(3));
   Pack mode[element::hex_modes][3], g[6][3];
   for (int i = 0; i < 3; ++i) {
     Pack X[8], of_component[element::hex_modes];

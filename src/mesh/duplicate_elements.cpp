@@ -12,12 +12,13 @@
 #include <map>
 #include <unordered_map>
 
+#include "core/cells.hpp"
 #include "core/excerpt.hpp"
 
 namespace brunt::mesh {
 namespace {
 
-using Corners = std::array<LocalIndex, 8>;  ///< distinct, ascending, then no_index
+using Corners = std::array<LocalIndex, cells::most_corners>;  ///< distinct, ascending, then no_index
 
 struct Element {
   LocalIndex block = 0, element = 0;

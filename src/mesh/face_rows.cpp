@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/cells.hpp"
 #include "face_corners.hpp"
 
 namespace brunt::mesh {
@@ -33,7 +34,7 @@ template <class Visit>
 void for_each_face(const Mesh& mesh, Visit visit) {
   std::uint32_t code = 0;
   for (const Block& block : mesh.blocks)
-    for (LocalIndex e = 0; e < block.count(); ++e, code += 8)
+    for (LocalIndex e = 0; e < block.count(); ++e, code += cells::key_stride)
       for (int f = 0; f < faces_per_element(block.shape); ++f) {
         const auto nodes = corners_of_face(block.shape, block.element(e), f);
         if (nodes[0] != no_index) visit(nodes, code + static_cast<std::uint32_t>(f));
@@ -58,7 +59,8 @@ std::size_t FaceRows::block_of(LocalIndex element) const {
 }
 
 KeyedFace FaceRows::face_of(std::uint32_t code) const {
-  KeyedFace face{{}, static_cast<LocalIndex>(code / 8), static_cast<std::int32_t>(code % 8)};
+  KeyedFace face{
+      {}, static_cast<LocalIndex>(code / cells::key_stride), static_cast<std::int32_t>(code % cells::key_stride)};
   const std::size_t b = block_of(face.element);
   const Block& block = mesh_.blocks[b];
   face.key = corners_of_face(block.shape, block.element(face.element - block_first_[b]), face.face);

@@ -57,7 +57,7 @@ class FaceRows {
   const Mesh& mesh_;
   std::vector<LocalIndex> block_first_;  // element of each block's first; the last entry counts all
   std::vector<std::uint32_t> first_;     // of each node's row; the last entry counts all faces
-  std::vector<std::uint32_t> code_;      // 8 element + face
+  std::vector<std::uint32_t> code_;      // key of the face, see core/cells.hpp
 };
 
 }  // namespace brunt::mesh

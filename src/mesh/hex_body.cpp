@@ -33,7 +33,8 @@ void ParameterCheck::holds(bool condition, const std::string& fault) {
 }
 
 void ParameterCheck::fits(double nodes) {
-  const double most = std::numeric_limits<LocalIndex>::max() / 8.0;  // eight corners an element in one array
+  const double corners = nodes_per_element(Shape::hex8);
+  const double most = std::numeric_limits<LocalIndex>::max() / corners;  // of all elements in one array
   holds(nodes <= most, fmt::format("out of range: {:.3g} nodes in one mesh; expected at most {:.3g}", nodes, most));
 }
 
@@ -59,7 +60,7 @@ Hexahedra extrude(const Section& section, const std::vector<double>& heights) {
   for (const double height : heights)
     for (const auto& p : section.points) cells.coordinates.emplace_back(p[0], p[1], height);
   const int layers = static_cast<int>(heights.size()) - 1;
-  cells.nodes.reserve(8 * section.quads.size() * static_cast<std::size_t>(layers));
+  cells.nodes.reserve(static_cast<std::size_t>(nodes_per_element(Shape::hex8) * layers) * section.quads.size());
   for (int k = 0; k < layers; ++k)
     for (const auto& quad : section.quads)
       for (const int level : {k, k + 1})

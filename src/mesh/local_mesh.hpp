@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cells.hpp"
 #include "core/ragged.hpp"
 #include "mesh/mesh.hpp"
 
@@ -21,7 +22,7 @@ struct LocalBlock {
 
 /// A face on the outside of the mesh (no other element has its nodes).
 struct ExteriorFace {
-  GlobalIndex key = 0;              ///< element gid * 8 + local face: stable for the whole run
+  GlobalIndex key = 0;              ///< cells::key_of its element and local face: stable for the whole run
   std::array<LocalIndex, 4> nodes;  ///< local, counter-clockwise seen from outside; the last is no_index for a triangle
   std::int32_t block = 0;
   std::int32_t body = 0;  ///< connected component of the whole mesh, numbered by its first element

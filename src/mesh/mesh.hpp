@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "core/cells.hpp"
 #include "core/types.hpp"
 
 namespace brunt::mesh {
 
-/// Wedges and pyramids are stored as hex8 with repeated nodes.
-enum class Shape { hex8, tet4 };
-constexpr int nodes_per_element(Shape s) {
-  return s == Shape::hex8 ? 8 : 4;
+using cells::Shape;
+constexpr int nodes_per_element(Shape shape) {
+  return cells::of(shape).corners;
 }
-constexpr int faces_per_element(Shape s) {
-  return s == Shape::hex8 ? 6 : 4;
+constexpr int faces_per_element(Shape shape) {
+  return static_cast<int>(cells::of(shape).faces.size());
 }
 
 struct Block {

@@ -12,20 +12,13 @@
 #include "core/cells.hpp"
 
 namespace brunt::mesh {
-namespace {
-
-using Edge = std::array<int, 2>;
-
-}  // namespace
-
 std::string resolution_fault(const Mesh& mesh, double farthest) {
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
   const Block* block_of_shortest = nullptr;
   GlobalIndex element_of_shortest = 0;
   for (const Block& block : mesh.blocks)
     for (LocalIndex e = 0; e < block.count(); ++e)
-      for (const auto& [a, b] : block.shape == Shape::hex8 ? std::span<const Edge>(cells::hex_edges)
-                                                           : std::span<const Edge>(cells::tet_edges)) {
+      for (const auto& [a, b] : cells::of(block.shape).edges) {
         const LocalIndex i = block.element(e)[a], j = block.element(e)[b];
         if (i == j) continue;  // a collapsed corner
         const double length =

@@ -42,8 +42,8 @@ std::vector<Vec3> nodes_of(const TorusGrid& grid, double radius, const std::vect
 
 std::vector<LocalIndex> cells_of(const TorusGrid& grid) {
   std::vector<LocalIndex> cells;
-  cells.reserve(8 * static_cast<std::size_t>(grid.ring) * static_cast<std::size_t>(grid.tube) *
-                static_cast<std::size_t>(grid.wall));
+  cells.reserve(static_cast<std::size_t>(nodes_per_element(Shape::hex8)) * static_cast<std::size_t>(grid.ring) *
+                static_cast<std::size_t>(grid.tube) * static_cast<std::size_t>(grid.wall));
   for (LocalIndex i = 0; i < grid.ring; ++i)
     for (LocalIndex j = 0; j < grid.tube; ++j)
       for (LocalIndex k = 0; k < grid.wall; ++k)

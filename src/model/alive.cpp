@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/cells.hpp"
 #include "core/error.hpp"
 
 namespace brunt::model {
@@ -31,8 +32,8 @@ bool lives(const Model& model, const State& state, const mesh::ExteriorFace& fac
   const auto b = static_cast<std::size_t>(face.block);
   if (b >= state.alive.size() || state.alive[b].empty()) return true;
   const std::vector<GlobalIndex>& gid = model.blocks[b].gid;
-  const auto found = std::ranges::lower_bound(gid, face.key / 8);
-  demand(found != gid.end() && *found == face.key / 8, "the element of a face is on its rank");
+  const auto found = std::ranges::lower_bound(gid, cells::element_of_key(face.key));
+  demand(found != gid.end() && *found == cells::element_of_key(face.key), "the element of a face is on its rank");
   return lives(state, b, static_cast<LocalIndex>(found - gid.begin()));
 }
 

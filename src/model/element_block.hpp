@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/aligned.hpp"
+#include "core/cells.hpp"
 #include "core/ragged.hpp"
 #include "core/simd.hpp"
 #include "element/options.hpp"
@@ -34,8 +35,9 @@ struct ElementBlock {
   element::BulkViscosity bulk;
   std::optional<Erosion> erosion;
 
-  LocalIndex count = 0;               ///< elements here; the last batch is padded with copies of the last element
-  int corners = 8;                    ///< nodes an element
+  LocalIndex count = 0;  ///< elements here; the last batch is padded with copies of the last element
+  cells::Shape shape = cells::Shape::hex8;
+  int corners = 8;                    ///< of each element, as of its shape
   std::vector<GlobalIndex> gid;       ///< ascending
   std::vector<GlobalIndex> input;     ///< position in the input's order
   AlignedVector<LocalIndex> node;     ///< [batch][corner][lane], local

@@ -75,7 +75,7 @@ std::vector<Face> measure_faces(const mesh::Mesh& mesh, std::span<const mesh::Si
   return faces;
 }
 
-/// Volume by six tetrahedra around the diagonal of a hexahedron: exact for plane faces.
+/// Volume by tetrahedra: exact for plane faces.
 double volume(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element) {
   const LocalIndex* nodes = block.element(element);
   const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
@@ -83,9 +83,8 @@ double volume(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex eleme
     const Vec3& first = corner(tet[0]);
     return (corner(tet[1]) - first).cross(corner(tet[2]) - first).dot(corner(tet[3]) - first) / 6;
   };
-  if (block.shape == mesh::Shape::tet4) return of({0, 1, 2, 3});
   double sum = 0;
-  for (const auto& tet : cells::hex_tetrahedra) sum += of(tet);
+  for (const cells::Tetrahedron& tet : cells::of(block.shape).tetrahedra) sum += of(tet);
   return sum;
 }
 

@@ -8,6 +8,7 @@
 
 #include "contact/data/tolerances.hpp"
 #include "contact/search/search.hpp"
+#include "core/cells.hpp"
 #include "geometry/segment_in_cell.hpp"
 #include "mesh/topology.hpp"
 
@@ -80,8 +81,8 @@ geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, L
 
 bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e,
                 const contact::Tolerances& tolerances) {
-  std::array<Vec3, 8> corners;
-  const auto count = static_cast<std::size_t>(block.shape == mesh::Shape::tet4 ? 4 : 8);
+  std::array<Vec3, cells::most_corners> corners;
+  const auto count = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
   for (std::size_t c = 0; c < count; ++c) corners[c] = mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])];
   return !geometry::part_in_cell({x, x}, {corners.data(), count}, tolerances.fine_rounding).is_empty();
 }

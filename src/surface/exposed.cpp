@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "comm/rendezvous.hpp"
+#include "core/cells.hpp"
 #include "core/error.hpp"
 
 namespace brunt::surface {
@@ -38,8 +39,8 @@ std::vector<LocalIndex> first_of_block(const mesh::LocalMesh& mesh) {
 
 LocalIndex element_of(const mesh::LocalMesh& mesh, const std::vector<LocalIndex>& first, const ExteriorFace& face) {
   const std::vector<GlobalIndex>& gid = mesh.blocks[static_cast<std::size_t>(face.block)].gid;
-  const auto found = std::ranges::lower_bound(gid, face.key / 8);
-  demand(found != gid.end() && *found == face.key / 8, "the element of a face is on its rank");
+  const auto found = std::ranges::lower_bound(gid, cells::element_of_key(face.key));
+  demand(found != gid.end() && *found == cells::element_of_key(face.key), "the element of a face is on its rank");
   return first[static_cast<std::size_t>(face.block)] + static_cast<LocalIndex>(found - gid.begin());
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "comm/exact_sum.hpp"
+#include "core/cells.hpp"
 #include "time/bodies.hpp"
 #include "time/driven_start.hpp"
 
@@ -78,11 +79,12 @@ class MomentSums {
 MassMoments element_moments(const model::Model& model, const model::ElementBlock& block, LocalIndex e,
                             const Vec3& from) {
   const double density = material::initial_moduli(block.law).density;
-  std::array<Vec3, 8> corner;
+  std::array<Vec3, cells::most_corners> corner;
   for (int c = 0; c < block.corners; ++c)
     corner[static_cast<std::size_t>(c)] = of(model.reference[static_cast<std::size_t>(block.corner_node(e, c))]) - from;
-  return block.corners == 8 ? rigid::hexahedron_moments(corner, density)
-                            : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
+  return block.shape == cells::Shape::hex8
+             ? rigid::hexahedron_moments(corner, density)
+             : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
 }
 
 /// Of its parts only, from their elements or as given; positions relative to `from`.

@@ -2,6 +2,7 @@
 #include "time/links.hpp"
 
 #include "comm/exact_sum.hpp"
+#include "core/cells.hpp"
 #include "force/dead_loads.hpp"
 #include "force/watched.hpp"
 #include "time/bodies.hpp"
@@ -24,7 +25,7 @@ std::vector<comm::Contribution> number_slots(model::Model& model) {
           if (!shared[static_cast<std::size_t>(node)]) continue;
           block.border.values.push_back({static_cast<std::int8_t>(lane), static_cast<std::int8_t>(c),
                                          static_cast<LocalIndex>(contributions.size())});
-          contributions.push_back({block.gid[static_cast<std::size_t>(element)] * 8 + c,
+          contributions.push_back({cells::key_of(block.gid[static_cast<std::size_t>(element)], c),
                                    model.mesh.node_gid[static_cast<std::size_t>(node)], node});
         }
       block.border.close_row();
@@ -49,10 +50,10 @@ void weigh_dead_load(const comm::Communicator& ranks, model::DeadLoad& load, con
   std::vector<double> shares, areas, at_node(mesh.node_gid.size(), 0.0);
   for (const mesh::ExteriorFace& face : load.faces) {
     areas.push_back(force::reference_area(model, face));
-    const int count = face.nodes[3] == no_index ? 3 : 4;
+    const int count = static_cast<int>(cells::corner_count(face.nodes));
     for (int k = 0; k < count; ++k) {
       const LocalIndex node = face.nodes[static_cast<std::size_t>(k)];
-      corners.push_back({face.key * 4 + k, mesh.node_gid[static_cast<std::size_t>(node)], node});
+      corners.push_back({cells::key_of_face_corner(face.key, k), mesh.node_gid[static_cast<std::size_t>(node)], node});
       shares.push_back(areas.back() / count);
       at_node[static_cast<std::size_t>(node)] += shares.back();
     }

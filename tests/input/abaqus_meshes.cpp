@@ -20,7 +20,7 @@ json blocks_of(const mesh::Mesh& mesh) {
   json blocks = json::array();
   for (const mesh::Block& block : mesh.blocks) {
     json elements = json::array();
-    const int corners = nodes_per_element(block.shape);
+    const int corners = mesh::nodes_per_element(block.shape);
     for (LocalIndex e = 0; e < block.count(); ++e)
       elements.push_back(std::vector<LocalIndex>(block.element(e), block.element(e) + corners));
     blocks.push_back({{"name", block.name}, {"elements", std::move(elements)}, {"ids", block.element_id}});
@@ -36,7 +36,7 @@ json sides_of(const mesh::Mesh& mesh) {
     for (const mesh::Side& side : sides) {
       const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
       json face = json::array();
-      for (const LocalIndex node : face_nodes(block.shape, block.element(side.element), side.face))
+      for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(side.element), side.face))
         if (node != no_index) face.push_back(node);
       faces.push_back(std::move(face));
     }

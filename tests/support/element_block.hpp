@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <random>
 
+#include "core/cells.hpp"
 #include "force/mass.hpp"
 #include "force/tangent.hpp"
 #include "force/trial.hpp"
@@ -28,7 +29,8 @@ struct ElementBlockBench {
     block.kind = kind;
     block.law = law;
     block.hourglass.kind = hourglass;
-    block.corners = kind == element::ElementKind::tet4 ? 4 : 8;
+    block.shape = kind == element::ElementKind::tet4 ? cells::Shape::tet4 : cells::Shape::hex8;
+    block.corners = cells::of(block.shape).corners;
     number(box.blocks[0], block);
     for (std::size_t i = 0; i < box.coordinates.size(); ++i) {
       const Vec3& X = box.coordinates[i];
@@ -116,7 +118,7 @@ struct ElementBlockBench {
     constexpr int around[7] = {1, 2, 3, 7, 4, 5, 1};
     for (LocalIndex e = 0; e < hexahedra.count(); ++e) {
       const LocalIndex* corner = hexahedra.element(e);
-      if (block.corners == 8) {
+      if (block.shape == cells::Shape::hex8) {
         std::copy_n(corner, 8, elements.emplace_back().begin());
         continue;
       }

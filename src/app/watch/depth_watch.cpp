@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "geometry/box.hpp"
 #include "implicit_watch.hpp"
@@ -76,11 +77,11 @@ std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, co
            contact::PairRule::apart;
   };
   std::vector<GlobalIndex> at_surface;
-  for (const contact::SurfaceFace& face : watched.surface.faces) at_surface.push_back(face.key / 8);
+  for (const contact::SurfaceFace& face : watched.surface.faces) at_surface.push_back(cells::element_of_key(face.key));
   std::vector<contact::GhostElement> elements;
   for (std::size_t b = 0; b < run.model.blocks.size(); ++b) {
     const model::ElementBlock& block = run.model.blocks[b];
-    if (block.corners != 8 && block.corners != 4) continue;
+    if (cells::of(block.shape).dimension != 3) continue;
     for (LocalIndex e = 0; e < block.count; ++e) {
       if (!model::lives(run.state, b, e)) continue;
       contact::GhostElement element{.gid = block.gid[static_cast<std::size_t>(e)],

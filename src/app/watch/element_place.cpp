@@ -15,34 +15,29 @@
 namespace brunt::app {
 namespace {
 
-using Corners = std::array<Vec3, 8>;
+using Corners = std::array<Vec3, cells::most_corners>;
 
 /// Over that of the reference. Wedges have edges between corners that are one node: they are none.
-double shortest_edge(const Corners& x, const Corners& reference, int corners) {
+double shortest_edge(const Corners& x, const Corners& reference, const cells::Cell& cell) {
   double now = std::numeric_limits<double>::infinity(), first = now;
-  const auto look = [&](const std::array<int, 2>& edge) {
+  for (const cells::Edge& edge : cell.edges) {
     const auto a = static_cast<std::size_t>(edge[0]), b = static_cast<std::size_t>(edge[1]);
-    if (reference[a] == reference[b]) return;
+    if (reference[a] == reference[b]) continue;
     now = std::min(now, (x[b] - x[a]).norm());
     first = std::min(first, (reference[b] - reference[a]).norm());
-  };
-  if (corners == 4)
-    std::ranges::for_each(cells::tet_edges, look);
-  else
-    std::ranges::for_each(cells::hex_edges, look);
+  }
   return now / first;
 }
 
-double volume(const Corners& x, int corners) {
-  const auto of = [&](const std::array<int, 4>& tet) {
+double volume(const Corners& x, const cells::Cell& cell) {
+  const auto of = [&](const cells::Tetrahedron& tet) {
     const auto from_first = [&](std::size_t i) {
       return Vec3(x[static_cast<std::size_t>(tet[i])] - x[static_cast<std::size_t>(tet[0])]);
     };
     return from_first(1).cross(from_first(2)).dot(from_first(3)) / 6;
   };
-  if (corners == 4) return of({0, 1, 2, 3});
   double sum = 0;
-  for (const auto& tet : cells::hex_tetrahedra) sum += of(tet);
+  for (const cells::Tetrahedron& tet : cell.tetrahedra) sum += of(tet);
   return sum;
 }
 
@@ -57,8 +52,8 @@ std::array<double, 5> figures_of(const Prepared& run, const model::ElementBlock&
     first[corner] = Vec3(run.model.reference[node][0], run.model.reference[node][1], run.model.reference[node][2]);
     center += now[corner] / block.corners;
   }
-  return {center[0], center[1], center[2], shortest_edge(now, first, block.corners),
-          volume(now, block.corners) / volume(first, block.corners)};
+  const cells::Cell& cell = cells::of(block.shape);
+  return {center[0], center[1], center[2], shortest_edge(now, first, cell), volume(now, cell) / volume(first, cell)};
 }
 
 }  // namespace

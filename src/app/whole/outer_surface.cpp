@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/cells.hpp"
 #include "mesh/topology.hpp"
 
 namespace brunt::app {
@@ -36,7 +37,7 @@ TriangleSurface outer_surface(const mesh::Mesh& mesh, std::size_t block) {
     const std::array<LocalIndex, 4> nodes = mesh::face_nodes(own.shape, own.element(side.element), side.face);
     if (nodes[0] == no_index) continue;
     std::array<LocalIndex, 4> p{};
-    const std::size_t count = nodes[3] == no_index ? 3 : 4;
+    const std::size_t count = cells::corner_count(nodes);
     for (std::size_t i = 0; i < count; ++i) p[i] = point(nodes[i]);
     if (count == 3) {
       surface.triangles.push_back({p[0], p[1], p[2]});

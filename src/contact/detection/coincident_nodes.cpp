@@ -18,25 +18,21 @@ std::span<const LocalIndex> corners_of(const MasterFace& face) {
 Vec3 area_of(const FacesInMotion& scene, const MasterFace& face) {
   std::array<Vec3, 4> corners;
   const auto count = static_cast<std::size_t>(face.corner_count);
-  for (std::size_t i = 0; i < count; ++i) corners[i] = scene.motion[static_cast<std::size_t>(face.nodes[i])].position;
+  for (std::size_t i = 0; i < count; ++i) corners[i] = scene.corner(face, i).position;
   return geometry::area_vector({corners.data(), count});
 }
 
-bool has_corner(const MasterFace& face, LocalIndex node) {
-  return std::ranges::find(corners_of(face), node) != corners_of(face).end();
-}
-
-/// Cosine between the normal and the reversed one of a facet [-1, 1].
+/// Cosine between the normal and the reversed normal of a facet [-1, 1].
 double facing(const NodeOnSurface& node, LocalIndex facet, const Vec3& normal) {
   const double cosine = -node.facet_normal[static_cast<std::size_t>(facet)].dot(normal);
   return node.two_sided ? std::abs(cosine) : cosine;
 }
 
-constexpr std::size_t most = 32;  // faces around a node; of more the rest is not asked
+constexpr std::size_t most = 32;  // faces around a node that are examined
 
 enum class Shape : char { flat, rim, corner };
 
-/// Faces around a node [unit normals].
+/// The unit normals of the faces around a node.
 struct Around {
   std::array<Vec3, most> normals;
   std::size_t count = 0;
@@ -49,7 +45,7 @@ struct Around {
     for (std::size_t i = 0; i < count; ++i) sum += normals[i];
     return sum.norm() < tolerances.aligned * static_cast<double>(count);
   }
-  /// Is a third normal out of the plane of two different ones?
+  /// Whether three of the normals are linearly independent.
   [[nodiscard]] bool span_a_corner(const Tolerances& tolerances) const {
     const double across = std::sqrt(1 - tolerances.aligned * tolerances.aligned);  // sine of the same angle
     for (std::size_t i = 0; i < count; ++i)
@@ -73,19 +69,21 @@ Shape shape_of(const NodeOnSurface& node, const Tolerances& tolerances) {
   return around.shape(tolerances);
 }
 
-/// Are both surfaces flat there and on each other, as around nearly all coincident nodes? What is said to be so here
-/// the thorough look below finds too: every face lies on the first facet, and every facet on the first face.
+/// Whether both surfaces are flat at the node and lie on each other, as at nearly all coincident nodes: every face lies
+/// on the first facet, and every facet on the first face. Sufficient for the general test of rows_to_spare_at, and
+/// fast.
 bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                       LocalIndex other, const Tolerances& tolerances) {
+                       LocalIndex other) {
+  const Tolerances& tolerances = scene.tolerances;
   const double clearly = tolerances.aligned * tolerances.aligned;
   const auto faces_each_other = [&](LocalIndex facet, const Vec3& area) {
     const double along = -node.facet_normal[static_cast<std::size_t>(facet)].dot(area);
     return (along > 0 || node.two_sided) && along * along > clearly * area.squaredNorm();
   };
-  auto facets = node.facets;  // for the first face all, for the others the first
+  auto facets = node.facets;  // all for the first face, then the first facet only
   for (const LocalIndex f : near) {
-    const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-    if (!has_corner(face, other)) continue;
+    const MasterFace& face = scene.face(f);
+    if (!has_node(face, other)) continue;
     const Vec3 area = area_of(scene, face);
     if (!std::ranges::all_of(facets, [&](LocalIndex facet) { return faces_each_other(facet, area); })) return false;
     facets = facets.first(std::min<std::size_t>(1, facets.size()));
@@ -93,35 +91,36 @@ bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, st
   return !node.facets.empty();
 }
 
-/// The same where the surfaces do not lie on each other all around.
+/// The general case: each pair of a facet and a face either lies on each other or does not face each other; otherwise
+/// the shapes of the two surfaces decide.
 RowsToSpare rows_to_spare_at(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                             LocalIndex other, const Tolerances& tolerances) {
-  std::array<double, most> facet_lies{};
+                             LocalIndex other) {
+  const Tolerances& tolerances = scene.tolerances;
+  std::array<double, most> facing_of_facet{};
   const std::size_t facets = std::min(most, node.facets.size());
   Around around;
-  Vec3 corners = Vec3::Zero();  // sum of those of the faces, from the node
+  Vec3 corners = Vec3::Zero();  // sum of the vectors from the node to the corners of the faces
   bool fit = true;
   for (const LocalIndex f : near) {
-    const MasterFace& face = scene.faces[static_cast<std::size_t>(f)];
-    if (!has_corner(face, other)) continue;
+    const MasterFace& face = scene.face(f);
+    if (!has_node(face, other)) continue;
     const Vec3 normal = area_of(scene, face).normalized();
     around.add(normal);
-    for (const LocalIndex corner : corners_of(face))
-      corners += scene.motion[static_cast<std::size_t>(corner)].position - node.motion.position;
-    double face_lies = 0;
+    for (const LocalIndex corner : corners_of(face)) corners += scene.node(corner).position - node.motion.position;
+    double facing_of_face = 0;
     for (std::size_t i = 0; i < facets; ++i) {
       const double cosine = facing(node, node.facets[i], normal);
-      face_lies = std::max(face_lies, cosine);
-      facet_lies[i] = std::max(facet_lies[i], cosine);
+      facing_of_face = std::max(facing_of_face, cosine);
+      facing_of_facet[i] = std::max(facing_of_facet[i], cosine);
     }
-    fit = fit && (face_lies <= tolerances.facing || face_lies >= tolerances.aligned);
+    fit = fit && (facing_of_face <= tolerances.facing || facing_of_face >= tolerances.aligned);
   }
-  fit = fit && std::none_of(facet_lies.begin(), facet_lies.end(),
+  fit = fit && std::none_of(facing_of_facet.begin(), facing_of_facet.end(),
                             [&](double cosine) { return cosine > tolerances.facing && cosine < tolerances.aligned; });
   if (fit) return {.second = true};
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < around.count; ++i) sum += around.normals[i];
-  if (corners.dot(sum) >= 0) return {};  // a pit
+  if (corners.dot(sum) >= 0) return {};  // the faces form a pit
   const Shape there = around.shape(tolerances), here = shape_of(node, tolerances);
   if (there > here) return {.first = true, .second = true};
   return {.second = there == Shape::corner};
@@ -130,15 +129,14 @@ RowsToSpare rows_to_spare_at(const FacesInMotion& scene, const NodeOnSurface& no
 }  // namespace
 
 RowsToSpare rows_to_spare(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                          std::span<const CoincidentCandidate> possible, double distance,
-                          const Tolerances& tolerances) {
-  if (node.facets.empty()) return {};  // a mass point: the other node has no face of it to meet
-  const std::int32_t body = scene.faces[static_cast<std::size_t>(near.front())].body;
+                          std::span<const CoincidentCandidate> possible, double distance) {
+  if (node.facets.empty()) return {};  // a mass point has no face that the other node could meet
+  const std::int32_t body = scene.face(near.front()).body;
   for (const CoincidentCandidate& other : possible) {
-    const Vec3& there = scene.motion[static_cast<std::size_t>(other.node)].position;
+    const Vec3& there = scene.node(other.node).position;
     if (other.body != body || (there - node.motion.position).squaredNorm() >= distance * distance) continue;
-    if (surfaces_coincide(scene, node, near, other.node, tolerances)) return {.second = true};
-    return rows_to_spare_at(scene, node, near, other.node, tolerances);
+    if (surfaces_coincide(scene, node, near, other.node)) return {.second = true};
+    return rows_to_spare_at(scene, node, near, other.node);
   }
   return {};
 }
@@ -148,7 +146,7 @@ void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Ve
   candidates.coincident.clear();
   if (candidates.pass.empty()) return;
   const double within = (settings.coincidence_distance + 2 * motion) *
-                        (1 + settings.tolerances->rounding);  // what is later measured is rounded otherwise
+                        (1 + settings.tolerances->rounding);  // distances of later steps have other rounding errors
   const auto place = [&](LocalIndex node) -> const Vec3& { return positions[static_cast<std::size_t>(node)]; };
   for (LocalIndex s = 0; s < candidates.faces.rows(); ++s) {
     const std::span<const LocalIndex> near = std::as_const(candidates.faces).row(s);

@@ -26,13 +26,13 @@ struct RowsToSpare {
   bool first = false, second = false;  ///< in the first and in the second of two passes
 };
 
-/// Rows of the node on the faces `near` (of one body) that need not be, if a corner of them is closer to the node than
-/// `distance` [length]. Where the surfaces coincide (every facet that faces the other side within 60 degrees has an
-/// opposed face there within 20 degrees), and where two corners meet, the row of the first pass constrains both.
-/// Elsewhere the row of the sharper node does (a corner on a rim, either on a flat place): the other one would be held
-/// against the ridge or tip, off which it slides to any side. Two rims that cross keep both rows. possible: all nodes
-/// that may be this near.
+/// Rows of the node on the faces `near` (of one body) that are not needed, if a corner of them is closer to the node
+/// than `distance` [length]. Where the surfaces coincide (every facet that faces the other side within 60 degrees has
+/// an opposed face there within 20 degrees), and where two corners meet, the row of the first pass constrains both.
+/// Elsewhere the row of the sharper node does (a corner on a rim, either on a flat place): a row of the other node
+/// would act against a ridge or a tip, from which it slides off to any side. Two rims that cross keep both rows.
+/// possible: all nodes that may be this near.
 RowsToSpare rows_to_spare(const FacesInMotion& scene, const NodeOnSurface& node, std::span<const LocalIndex> near,
-                          std::span<const CoincidentCandidate> possible, double distance, const Tolerances& tolerances);
+                          std::span<const CoincidentCandidate> possible, double distance);
 
 }  // namespace brunt::contact

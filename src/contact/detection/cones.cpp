@@ -8,18 +8,18 @@
 namespace brunt::contact {
 namespace {
 
-/// Cosine of the angle between a direction and the arc between two unit vectors, where the nearest point of the arc
-/// lies within it; else what their ends have is as good.
+/// Cosine of the angle between a direction and the arc between two unit vectors, if the nearest point of the arc is not
+/// one of its ends; otherwise -1, since the caller examines the ends.
 double admission_of_arc(const Vec3& one, const Vec3& other, const Vec3& direction) {
   const Vec3 across = one.cross(other);
   const double area2 = across.squaredNorm();
-  if (area2 < 1e-24) return -1;  // one direction, or two that look away from each other
-  const Vec3 flat = direction - (direction.dot(across) / area2) * across;
-  if (one.cross(flat).dot(across) < 0 || flat.cross(other).dot(across) < 0) return -1;
-  return flat.norm();
+  if (area2 < 1e-24) return -1;  // equal or opposite directions
+  const Vec3 in_plane = direction - (direction.dot(across) / area2) * across;
+  if (one.cross(in_plane).dot(across) < 0 || in_plane.cross(other).dot(across) < 0) return -1;
+  return in_plane.norm();
 }
 
-/// Is the direction within the triangle of three unit vectors?
+/// Whether the direction lies within the spherical triangle of three unit vectors.
 bool lies_between(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& direction) {
   const double volume = a.dot(b.cross(c));
   if (std::abs(volume) < 1e-12) return false;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// From candidate pairs to constraint rows. All decisions are functions of positions, predicted velocities and the step
-// only: candidates that cannot touch in this step are excluded by a criterion of their own, so a longer list of
-// candidates does not change any bit.
+// From candidate pairs to constraint rows: nodes against faces (detect_faces), edges against edges (detect_edges in
+// edges.hpp), nodes against walls (detect_walls). All decisions are functions of positions, predicted velocities and
+// the step only: candidates that cannot touch in this step are excluded by a criterion of their own, so a longer list
+// of candidates does not change any bit.
 #pragma once
 #include <algorithm>
 #include <span>
@@ -73,6 +74,14 @@ struct DetectionSettings {
   std::vector<BodyPair> fitted{};  ///< ascending: bodies of which some overlap was accepted, or moved away
 };
 
+/// A step as all of detection sees it.
+struct StepView {
+  std::span<const GlobalIndex> gid;    ///< of the contact nodes
+  std::span<const NodeMotion> motion;  ///< of the contact nodes, before contact
+  double dt = 0;                       ///< [time]
+  const DetectionSettings& settings;
+};
+
 /// Number of slaves whose faces are processed together, one pack at a time: large enough to leave few lanes empty.
 constexpr std::size_t slaves_at_once = 32;
 
@@ -107,7 +116,8 @@ double accepted_penetration(std::span<const AcceptedOverlap> accepted, GlobalInd
 double recovery_time(const Row& row, double size, double dt, const DetectionSettings& settings);
 
 /// Smallest admissible rate of the row's gap [velocity]. An open gap may close within the step; a limited share of a
-/// penetration is recovered in each step.
+/// penetration is recovered in each step. gap: the one to be closed, which may differ from the geometric one of the
+/// row [length]; size: of the face or of the shorter edge [length].
 ///
 /// Under load, recovery does work on the bodies. This is small where the penetration has grown by drift. Edges that are
 /// deeper when they are first detected (after slipping over a rim, or where their crossing passes a node of a bent
@@ -119,8 +129,7 @@ double recovery_time(const Row& row, double size, double dt, const DetectionSett
 ///
 /// In short steps (due to a small or crushed element elsewhere) recovery_time replaces the step. Otherwise the rate of
 /// recovery would grow as steps shrink and supply energy at nodes that are first detected deep, behind a rim.
-double required_rate(const Row& row, double size, double dt, std::span<const NodeMotion> motion,
-                     const DetectionSettings& settings);
+double required_rate(const Row& row, double gap, double size, const StepView& step);
 
 /// Whether the nodes are coincident. Symmetric in its arguments.
 inline bool are_coincident(const NodeMotion& one, const NodeMotion& other, const DetectionSettings& settings) {
@@ -132,14 +141,33 @@ inline bool are_coincident(const NodeMotion& one, const NodeMotion& other, const
 void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Vec3> positions, double motion,
                            const DetectionSettings& settings, Candidates& candidates);
 
-/// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each: see `encounter` and `select_rows`.
-/// facet_area: along the area vectors of the slaves' own faces (their unit normals are returned in the scratch).
-/// remembered: the history. It provides the sides of two-sided faces, and the scratch returns them for all pairs except
-/// Meeting::none. Of coincident nodes of two bodies one row may constrain both (rows_to_spare).
-void detect_faces(const Candidates& candidates, std::span<const MasterFace> faces, std::span<const GlobalIndex> gid,
-                  std::span<const NodeMotion> motion, std::span<const Vec3> facet_area, double dt,
-                  const DetectionSettings& settings, std::span<const HistoryRecord> remembered,
-                  DetectionScratch& scratch, std::vector<Row>& rows, std::span<const BirthRecord> births = {});
+/// The pairs of nodes and faces, and what else decides about them.
+struct FaceInput {
+  const Candidates& candidates;
+  std::span<const MasterFace> faces;
+  std::span<const Vec3> facet_area;           ///< along the area vectors of the slaves' own faces
+  std::span<const HistoryRecord> remembered;  ///< the history: sides of two-sided faces
+  std::span<const BirthRecord> births{};      ///< of nodes behind faces that have become exterior in front of them
+};
+
+/// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each. The order of the passes:
+///
+/// 1. Each pair of a node and a face whose swept boxes overlap becomes an encounter; its side of a sheet is determined
+///    (sides.hpp). Of coincident nodes of two bodies one row may constrain both: the other one has no encounters
+///    (coincident_nodes.hpp).
+/// 2. The closest point decides on the meeting by position (encounter_all).
+/// 3. The slave's normal cone yields the opposition; faces that it does not admit are lateral faces (cones.hpp).
+/// 4. The features around the node revise the meeting (features.hpp).
+/// 5. Paths through faces are hits (detect_path_hits).
+/// 6. Lateral faces of seams are removed (seams.hpp).
+/// 7. Lateral faces of ledges are removed (ledges.hpp).
+/// 8. The remaining encounters compete, and the selected ones become rows (select_rows.hpp).
+/// 9. Each row receives its required rate.
+///
+/// Passes 1 and 2 treat slaves_at_once slaves together, the others one slave; 4 to 7 the faces of one body at a time.
+/// The scratch returns the reach of the faces, the unit normals of the facets, and the sides of two-sided faces for all
+/// pairs except Meeting::none.
+void detect_faces(const StepView& step, const FaceInput& input, DetectionScratch& scratch, std::vector<Row>& rows);
 
 /// Candidates of walls: node, wall, and whether the node started in the plane of a bilateral wall (it then always has a
 /// row).
@@ -150,9 +178,8 @@ struct WallCandidate {
   bool held = false;
 };
 
-void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
-                  std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion, double dt,
-                  const DetectionSettings& settings, std::vector<Row>& rows);
+void detect_walls(const StepView& step, std::span<const WallCandidate> candidates, std::span<const Wall> walls,
+                  std::vector<Row>& rows);
 
 /// Arrays of sort_rows, sized where lists are rebuilt.
 struct RowSortScratch {

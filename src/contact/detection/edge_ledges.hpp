@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sharp edges at a ledge (see ledges.hpp) are ignored as nodes are.
+// Sharp edges at ledges (see ledges.hpp). As nodes do, they slide over a ledge without a row.
 #pragma once
 #include <optional>
 
@@ -7,16 +7,15 @@
 
 namespace brunt::contact {
 
-/// Edges nearly along each other of which one slides along a face of the other; an edge that stands with its end on the
-/// surface along which it slides. near: of the slave edge. holds: as of detect_edges.
-bool meet_on_ledge(const EdgeScene& scene, const EdgeCandidates& candidates, std::span<const LocalIndex> near,
-                   std::span<const NodeHold> holds, const ContactEdge& slave, const ContactEdge& master,
-                   const EdgeMeeting& met);
+/// Whether the edges meet at a ledge over which they slide: nearly parallel edges of which one slides along a face of
+/// the other, or an edge that stands with its end on the surface along which it slides. near: candidates of the slave
+/// edge.
+bool is_on_ledge(const EdgeScene& scene, const EdgePair& pair, const EdgeMeeting& met,
+                 std::span<const LocalIndex> near);
 
-/// The normal, out of the master, of a face on which one of two nearly parallel edges lies, with both ends held along
-/// it by whatever bodies: as where a block slides over the seam of two plates. The edges meet along this normal: a row
-/// along the mean of their faces' normals would push against the sliding.
-std::optional<Vec3> face_below(const EdgeScene& scene, std::span<const NodeHold> holds, const ContactEdge& slave,
-                               const ContactEdge& master);
+/// The normal, out of the master, of a face on which one of two nearly parallel edges lies, if both of its ends have
+/// rows along this normal with any body: a block that slides over the seam of two plates has rows with both. The edges
+/// meet along this normal: a row along the mean of their faces' normals would act against the sliding.
+std::optional<Vec3> face_below(const EdgeScene& scene, const EdgePair& pair);
 
 }  // namespace brunt::contact

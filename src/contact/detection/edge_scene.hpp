@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges where they are, for the files that detect their contact.
+// The edges of a step: what the files that detect contact of edges share.
 #pragma once
 #include <array>
 #include <span>
@@ -11,33 +11,47 @@
 
 namespace brunt::contact {
 
-/// How two edges meet: points (1-s) a0 + s a1 and (1-t) b0 + t b1.
-struct EdgeMeeting {
-  double s = 0, t = 0, gap = 0;
-  Vec3 normal = Vec3::Zero();  ///< out of the master
+/// A slave edge and a master edge.
+struct EdgePair {
+  const ContactEdge& slave;
+  const ContactEdge& master;
+  double size = 0;  ///< length of the shorter one [length]
 };
 
-/// The nodes and faces that detection of edges looks at.
+/// The crossing of two edges: points (1-s) a0 + s a1 of the slave and (1-t) b0 + t b1 of the master.
+struct EdgeMeeting {
+  double s = 0, t = 0;
+  double gap = 0;              ///< [length]
+  Vec3 normal = Vec3::Zero();  ///< unit, out of the master
+};
+
+/// All edges of a step.
 struct EdgeScene {
-  std::span<const GlobalIndex> gid;
-  std::span<const NodeMotion> motion;
-  std::span<const Vec3> facet_normal, reference;
-  double dt;
+  StepView step;
+  EdgeInput input;
   const DetectionSettings& settings;
-  double full;  ///< sine of the angle Tolerances::same_direction
+  double sine_of_one_direction;  ///< of the angle Tolerances::same_direction
+
+  EdgeScene(const StepView& of_step, const EdgeInput& of_input);
 
   [[nodiscard]] const Tolerances& tolerances() const { return *settings.tolerances; }
-  [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return motion[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return step.motion[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const NodeHold& hold(LocalIndex node) const { return input.holds[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const ContactEdge& master(LocalIndex index) const {
+    return input.candidates.masters[static_cast<std::size_t>(index)];
+  }
   [[nodiscard]] geometry::Segment start(const ContactEdge& edge) const {
     return {at(edge.nodes[0]).position, at(edge.nodes[1]).position};
   }
   [[nodiscard]] geometry::Segment end(const ContactEdge& edge) const {
     const geometry::Segment from = start(edge);
-    return {from.start + dt * at(edge.nodes[0]).predicted, from.end + dt * at(edge.nodes[1]).predicted};
+    return {from.start + step.dt * at(edge.nodes[0]).predicted, from.end + step.dt * at(edge.nodes[1]).predicted};
   }
-  [[nodiscard]] Vec3 normal(const ContactEdge& edge, std::size_t side) const {
-    return facet_normal[static_cast<std::size_t>(edge.facets[side])];
+  /// Unit normal of one of the two faces that share the edge.
+  [[nodiscard]] Vec3 normal(const ContactEdge& edge, std::size_t facet) const {
+    return input.facet_normal[static_cast<std::size_t>(edge.facets[facet])];
   }
+  /// Sum of the normals of both faces.
   [[nodiscard]] Vec3 outward(const ContactEdge& edge) const { return normal(edge, 0) + normal(edge, 1); }
   [[nodiscard]] double length(const ContactEdge& edge) const {
     const geometry::Segment at_start = start(edge);
@@ -47,21 +61,35 @@ struct EdgeScene {
     const geometry::Segment from = start(edge), to = end(edge);
     return geometry::bounding_box(std::array{from.start, from.end, to.start, to.end});
   }
-  /// What is outside of it has nothing to do with this master in this step, whether the lists name it or not.
+  /// Box outside of which nothing meets this master in the step, whether it is a candidate or not.
   [[nodiscard]] geometry::Box reach(const ContactEdge& master) const {
     return geometry::grown(sweep(master), tolerances().reach(length(master), master.element_depth));
   }
 };
 
-/// Does `direction` lie between the normals of the two faces of a convex edge, or beyond them by no more than rounding
-/// and the curvature of a facet? beyond: sine of the angle.
+/// Sine of the angle between the edges.
+double sine_between(const EdgeScene& scene, const EdgePair& pair);
+
+/// Whether the angle between the edges is less than Tolerances::same_direction.
+bool are_nearly_parallel(const EdgeScene& scene, const EdgePair& pair);
+
+/// Whether `direction` lies in the normal cone of the edge: between the normals of its two faces, or beyond them by at
+/// most an angle with the sine `beyond`. False for an edge that has become flat.
 bool between_normals(const EdgeScene& scene, const ContactEdge& edge, const Vec3& direction, double beyond);
 
-/// How far the points (s, t) move apart within the step.
-Vec3 relative_displacement(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double s,
-                           double t);
+/// Displacement of the slave's point s relative to the master's point t over a step; which: old_velocity for the last
+/// one, predicted for this one.
+template <Vec3 NodeMotion::*which>
+Vec3 relative_displacement(const EdgeScene& scene, const EdgePair& pair, double s, double t) {
+  const auto velocity = [&](const ContactEdge& edge, std::size_t i) { return scene.at(edge.nodes[i]).*which; };
+  return scene.step.dt * ((1 - s) * velocity(pair.slave, 0) + s * velocity(pair.slave, 1) -
+                          (1 - t) * velocity(pair.master, 0) - t * velocity(pair.master, 1));
+}
 
-/// Edges that move little against each other are seen in time at the start of a step.
-bool is_slow(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size);
+/// Whether the edges move so little relative to each other that their positions at the start of a step suffice.
+bool is_slow(const EdgeScene& scene, const EdgePair& pair);
+
+/// The largest penetration at which the edges are in contact [length].
+double max_penetration(const EdgeScene& scene, const EdgePair& pair);
 
 }  // namespace brunt::contact

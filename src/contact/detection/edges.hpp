@@ -39,16 +39,29 @@ struct EdgeCandidates {
   Ragged<LocalIndex> near;  ///< a row for each slave edge: master edges in ascending (gid, gid)
 };
 
+/// The pairs of edges, and what else decides about them.
+struct EdgeInput {
+  const EdgeCandidates& candidates;
+  std::span<const Vec3> facet_normal{};  ///< unit
+  std::span<const NodeHold> holds{};     ///< of each contact node, the same on every copy
+  /// Initial positions of the contact nodes, from which edges have their accepted overlaps; empty if the settings
+  /// accept none.
+  std::span<const Vec3> reference{};
+};
+
 /// Appends a row for two edges that touch, come into contact in this step, or are so close that the impulses of the
 /// step may bring them into contact. The normal is the common perpendicular, out of the master. It must lie between the
-/// normals of the two faces of either edge (otherwise a face or a node is in contact). If both ends of the slave edge,
-/// or the end at which they cross, have rows of their own with the other body along nearly the same normal, no row is
-/// needed. facet_normal: unit. holds: of each contact node, the same on every copy.
-/// reference: initial positions of the contact nodes, from which edges have their accepted overlaps; empty if the
-/// settings accept none.
-void detect_edges(const EdgeCandidates& candidates, std::span<const GlobalIndex> gid,
-                  std::span<const NodeMotion> motion, std::span<const Vec3> facet_normal,
-                  std::span<const NodeHold> holds, std::span<const Vec3> reference, double dt,
-                  const DetectionSettings& settings, std::vector<Row>& rows);
+/// normals of the two faces of either edge (otherwise a face or a node is in contact). The order of the passes, for
+/// each pair whose swept boxes overlap:
+///
+/// 1. The crossing. A flat edge crosses rims only (flat_edges.hpp). Sharp edges are in contact, near each other, or
+///    their paths cross within the step.
+/// 2. Edges that slide over a ledge have no row (edge_ledges.hpp).
+/// 3. A sharp slave edge has no row if its ends hold it: both ends, or the end at which the edges cross, have rows of
+///    their own with the other body along nearly the same normal.
+/// 4. A sharp edge that lies on a face of the other one meets it along the normal of that face (face_below).
+/// 5. At the lateral face of a seam there is no row (seams.hpp).
+/// 6. The gap is measured from an accepted overlap, and the row receives its required rate.
+void detect_edges(const StepView& step, const EdgeInput& input, std::vector<Row>& rows);
 
 }  // namespace brunt::contact

@@ -13,28 +13,15 @@ namespace {
 
 using geometry::Region;
 
-const NodeMotion& corner_of(const FacesInMotion& scene, const MasterFace& face, std::size_t i) {
-  return scene.motion[static_cast<std::size_t>(face.nodes[i])];
-}
-
-/// The node's predicted velocity against the face point's.
-Vec3 relative_velocity(const FacesInMotion& scene, const NodeMotion& slave, const MasterFace& face,
-                       const std::array<double, 4>& weights) {
-  Vec3 relative = slave.predicted;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
-    relative -= weights[i] * corner_of(scene, face, i).predicted;
-  return relative;
-}
-
-/// A face whose rim is where the node passes through a neighbour, and that has it in front as well, is hit with it: at
-/// a convex corner it is rounding that decides which one the path crosses.
-void join_hit(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-              std::span<const Encounter> encounters, Encounter& met) {
+/// A path that crosses a neighbour at this face's rim hits this face as well, if the node approaches it: at a convex
+/// corner, rounding decides which of the faces the path crosses.
+void join_hit(const FacesInMotion& scene, const NodeMotion& slave, std::span<const Encounter> encounters,
+              Encounter& met) {
   for (const Encounter& hit : encounters) {
     if (hit.meeting != Meeting::hit || hit.face == met.face) continue;
-    if ((hit.point - met.point).norm() > tolerances.rim * std::min(hit.size, met.size)) continue;
-    const double approach = -met.normal.dot(
-        scene.dt * relative_velocity(scene, slave, scene.faces[static_cast<std::size_t>(met.face)], met.weights));
+    if ((hit.point - met.point).norm() > scene.tolerances.rim * std::min(hit.size, met.size)) continue;
+    const Vec3 relative = relative_velocity<&NodeMotion::predicted>(scene, slave, scene.face(met), met.weights);
+    const double approach = -met.normal.dot(scene.dt * relative);
     if (!(approach > 0)) continue;
     met.meeting = Meeting::hit;
     met.time = hit.time;
@@ -43,7 +30,7 @@ void join_hit(const FacesInMotion& scene, const Tolerances& tolerances, const No
   }
 }
 
-/// The corners of the face as the node sees it: counter-clockwise from its side, moved out by the clearance.
+/// The corners as the node sees them: counter-clockwise from its side, offset towards it by the clearance.
 void seen_from(const Approach& approach, std::span<Vec3> corners) {
   if (approach.side < 0) std::reverse(corners.begin(), corners.end());
   if (approach.clearance == 0) return;
@@ -83,12 +70,12 @@ std::ptrdiff_t shared_nodes(const MasterFace& one, const MasterFace& other) {
 }
 
 void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& met) {
-  const MasterFace& face = scene.faces[static_cast<std::size_t>(met.face)];
+  const MasterFace& face = scene.face(met);
   const auto count = static_cast<std::size_t>(face.corner_count);
   std::array<Vec3, 4> start, end;
   for (std::size_t i = 0; i < count; ++i) {
-    start[i] = corner_of(scene, face, i).position;
-    end[i] = start[i] + scene.dt * corner_of(scene, face, i).predicted;
+    start[i] = scene.corner(face, i).position;
+    end[i] = start[i] + scene.dt * scene.corner(face, i).predicted;
   }
   seen_from(met.approach, {start.data(), count});
   seen_from(met.approach, {end.data(), count});
@@ -98,7 +85,8 @@ void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& me
   auto hit = geometry::first_contact(point, moving);
   if (!hit) return;
   if (met.approach.side < 0) std::reverse(hit->weights.begin(), hit->weights.begin() + face.corner_count);
-  const double approach = -hit->normal.dot(scene.dt * relative_velocity(scene, slave, face, hit->weights));
+  const Vec3 relative = relative_velocity<&NodeMotion::predicted>(scene, slave, face, hit->weights);
+  const double approach = -hit->normal.dot(scene.dt * relative);
   if (!(approach > 0)) return;
   met.meeting = Meeting::hit;
   met.time = hit->tau;
@@ -108,14 +96,14 @@ void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& me
   met.weights = hit->weights;
 }
 
-Encounter encounter(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                    LocalIndex face_index, const Approach& approach) {
+Encounter encounter(const FacesInMotion& scene, const NodeMotion& slave, LocalIndex face_index,
+                    const Approach& approach) {
   Encounter met{
       .face = face_index, .approach = approach, .size = scene.reach[static_cast<std::size_t>(face_index)].size};
-  const MasterFace& face = scene.faces[static_cast<std::size_t>(face_index)];
+  const MasterFace& face = scene.face(face_index);
   std::array<Vec3, 4> storage;
   const auto count = static_cast<std::size_t>(face.corner_count);
-  for (std::size_t i = 0; i < count; ++i) storage[i] = corner_of(scene, face, i).position;
+  for (std::size_t i = 0; i < count; ++i) storage[i] = scene.corner(face, i).position;
   const geometry::Corners corners(storage.data(), count);
   const auto closest = geometry::closest_point(slave.position, corners);
   if (!closest) return met;
@@ -124,35 +112,32 @@ Encounter encounter(const FacesInMotion& scene, const Tolerances& tolerances, co
   met.point = closest->point;
   met.weights = closest->weights;
   met.normal = approach.side * geometry::face_normal(corners, closest->xi, closest->eta);
-  const Vec3 relative = relative_velocity(scene, slave, face, met.weights);
+  const Vec3 relative = relative_velocity<&NodeMotion::predicted>(scene, slave, face, met.weights);
   classify(stand(geometry::vec_of(slave.position), geometry::vec_of(met.point), geometry::vec_of(met.normal),
                  geometry::vec_of(relative), scene.dt),
-           tolerances, face.element_depth, met);
+           scene.tolerances, face.element_depth, met);
   return met;
 }
 
-bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
-             const Encounter& b, const Tolerances& tolerances) {
+bool concave(const FacesInMotion& scene, const Encounter& a, const Encounter& b) {
   const auto centre = [&](const Encounter& e) {
-    const MasterFace& face = faces[static_cast<std::size_t>(e.face)];
+    const MasterFace& face = scene.face(e);
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
-      sum += motion[static_cast<std::size_t>(face.nodes[i])].position;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i) sum += scene.corner(face, i).position;
     return Vec3(sum / face.corner_count);
   };
-  return (centre(b) - a.point).dot(a.normal) > tolerances.rounding * b.size &&
-         (centre(a) - b.point).dot(b.normal) > tolerances.rounding * a.size;
+  return (centre(b) - a.point).dot(a.normal) > scene.tolerances.rounding * b.size &&
+         (centre(a) - b.point).dot(b.normal) > scene.tolerances.rounding * a.size;
 }
 
-void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                      std::span<Encounter> encounters) {
-  const auto is_opposed = [](const Encounter& e) { return e.height > 0 && is_admissible(e); };
+void detect_path_hits(const FacesInMotion& scene, const NodeMotion& slave, std::span<Encounter> encounters) {
+  const auto is_in_front = [](const Encounter& e) { return e.height > 0 && is_admissible(e); };
   for (Encounter& e : encounters) {
-    const bool settled = e.meeting == Meeting::above && e.slow;
-    if (is_opposed(e) && !settled) find_hit(scene, slave, e);
+    const bool closest_point_suffices = e.meeting == Meeting::above && e.slow;
+    if (is_in_front(e) && !closest_point_suffices) find_hit(scene, slave, e);
   }
   for (Encounter& e : encounters)
-    if (e.meeting == Meeting::none && is_opposed(e)) join_hit(scene, tolerances, slave, encounters, e);
+    if (e.meeting == Meeting::none && is_in_front(e)) join_hit(scene, slave, encounters, e);
 }
 
 }  // namespace brunt::contact

@@ -26,7 +26,7 @@ struct MasterFace {
   std::int32_t body = 0, block = 0;
   /// Depth of the element behind it, or the width of the face if that is less, at the start [length].
   double element_depth = std::numeric_limits<double>::infinity();
-  std::uint8_t seams = 0;  ///< bit i: another face continues beyond side i, see SurfaceFace
+  std::uint8_t seams = 0;  ///< bit i: another face continues beyond edge i, see SurfaceFace
   bool two_sided = false;
   double half_thickness = 0;  ///< [length]
 };
@@ -45,54 +45,72 @@ struct FaceReach {
 
 /// Relation between a node and a face.
 enum class Meeting : std::int8_t {
-  inside,  ///< at or behind it: in contact
-  hit,     ///< its path crosses the moving face inwards within the step
-  above,   ///< outside of it, with a projection on it: impulses of the step may bring it into contact
+  inside,    ///< at or behind the face, within reach: in contact
+  hit,       ///< outside; its path crosses the moving face inwards within the step
+  above,     ///< outside, over the face or its rim: impulses of the step may bring it into contact
+  deferred,  ///< behind the face, but a neighbour in nearly the same direction has the penetration: the face only turns
+             ///< the normal of the neighbour's row (see select_rows)
   none
 };
 
+/// A slave node and a master face. Positions are those at the start of the step.
 struct Encounter {
   Meeting meeting = Meeting::none;
   LocalIndex face = no_index;
-  geometry::Region region = geometry::Region::face;  ///< of the closest point, at the start of the step
+  geometry::Region region = geometry::Region::face;  ///< the feature of the face that has the closest point
   Approach approach{};
-  double height = std::numeric_limits<double>::quiet_NaN();  ///< over the plane at the closest point, less the
-                                                             ///< clearance, at the start [length]
-  double beside = 0;                ///< distance of the node's foot on that plane from the point
-  double gap = 0;                   ///< to be closed by the row [length]
-  double time = 0;                  ///< of a hit, as a share of the step
-  double size = 0;                  ///< longest edge of the face [length]
-  double order = 0;                 ///< its rank among those of the slave, smallest first: see `select_rows`
-  bool slow = false;                ///< moves little relative to the face within the step
-  double opposition = 0;            ///< cosine of the reversed normal to the slave's normal cone; 0 for a side
-  Vec3 normal = Vec3::Zero();       ///< of the row, unit, out of the face on the node's side
-  Vec3 point = Vec3::Zero();        ///< contact point on the face (in the middle surface)
-  std::array<double, 4> weights{};  ///< of the face's corners there
+  double height = std::numeric_limits<double>::quiet_NaN();  ///< over the tangent plane at the closest point, less the
+                                                             ///< clearance [length]
+  double beside = 0;           ///< distance of the node's projection on that plane from the closest point [length]
+  double gap = 0;              ///< to be closed by the row [length]
+  double time = 0;             ///< of a hit, as a share of the step
+  double size = 0;             ///< longest edge of the face [length]
+  double order = 0;            ///< its rank among those of the slave, smallest first: see `select_rows`
+  bool slow = false;           ///< moves little relative to the face within the step
+  double opposition = 0;       ///< cosine between the reversed normal and the slave's normal cone; 0 for a lateral face
+  Vec3 normal = Vec3::Zero();  ///< of the row, unit, out of the face on the node's side
+  Vec3 point = Vec3::Zero();   ///< contact point on the face (in the middle surface)
+  std::array<double, 4> weights{};  ///< shape functions of the face's corners there
 };
 
-/// Whether the slave's normal cone admits the face. Otherwise it is a side, along which the node slides.
+/// Whether the slave's normal cone admits the face. Otherwise it is a lateral face, along which the node slides.
 inline bool is_admissible(const Encounter& e) {
   return e.opposition > 0;
 }
 
-/// The faces and nodes of detection.
+/// The master faces in one step.
 struct FacesInMotion {
   std::span<const MasterFace> faces;
   std::span<const FaceReach> reach;    ///< of each face
-  std::span<const NodeMotion> motion;  ///< of contact nodes
-  double dt = 0;
+  std::span<const NodeMotion> motion;  ///< of the contact nodes
+  double dt = 0;                       ///< [time]
+  const Tolerances& tolerances;
+
+  [[nodiscard]] const MasterFace& face(LocalIndex index) const { return faces[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const MasterFace& face(const Encounter& e) const { return face(e.face); }
+  [[nodiscard]] const NodeMotion& node(LocalIndex index) const { return motion[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const NodeMotion& corner(const MasterFace& face, std::size_t i) const { return node(face.nodes[i]); }
 };
 
 /// The closest point at the start of the step; the caller sets `opposition`. A node that neither touches nor is above
 /// the face has Meeting::none; region and height are nevertheless set (NaN if the face has no area), since they
 /// determine whether a node behind a neighbouring face is inside.
-Encounter encounter(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave, LocalIndex face,
+Encounter encounter(const FacesInMotion& scene, const NodeMotion& slave, LocalIndex face,
                     const Approach& approach = {});
 
 /// The same for many pairs, one pack at a time, of slave[k] with met[k], whose face and approach are set. The result
 /// for a pair does not depend on the others.
-void encounter_all(const FacesInMotion& scene, const Tolerances& tolerances, std::span<const NodeMotion* const> slave,
-                   std::span<Encounter> met);
+void encounter_all(const FacesInMotion& scene, std::span<const NodeMotion* const> slave, std::span<Encounter> met);
+
+/// Velocity of the slave relative to the point of the face with these weights; which: old_velocity or predicted.
+template <Vec3 NodeMotion::*which>
+Vec3 relative_velocity(const FacesInMotion& scene, const NodeMotion& slave, const MasterFace& face,
+                       const std::array<double, 4>& weights) {
+  Vec3 relative = slave.*which;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
+    relative -= weights[i] * scene.corner(face, i).*which;
+  return relative;
+}
 
 /// Corners of the face that define a region: the two of an edge, one (twice) of a vertex.
 std::array<LocalIndex, 2> nodes_of_feature(const MasterFace& face, geometry::Region region);
@@ -119,13 +137,11 @@ inline bool same_direction(const Vec3& one, const Vec3& other, double degrees) {
 bool one_direction(std::span<const Encounter> encounters, double degrees);
 
 /// Whether each of two faces of one body is in front of the other, as in a valley or a pit.
-bool concave(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const Encounter& a,
-             const Encounter& b, const Tolerances& tolerances);
+bool concave(const FacesInMotion& scene, const Encounter& a, const Encounter& b);
 
 /// Examines the path of a node outside of faces: those through which it passes become Meeting::hit. Nodes that move
-/// slowly above a face are judged by their closest point, and inadmissible faces are ignored (sides of flush bodies,
-/// along which nodes slide). encounters: of one slave with the faces of one body, after resolve_features.
-void detect_path_hits(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                      std::span<Encounter> encounters);
+/// slowly above a face are judged by their closest point, and lateral faces are ignored. encounters: of one slave with
+/// the faces of one body, after resolve_features.
+void detect_path_hits(const FacesInMotion& scene, const NodeMotion& slave, std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `encounter` for a pack of pairs at a time: in contact over whole faces, most time is spent here.
+// `encounter` for a pack of pairs at a time. Where bodies touch over whole faces, most of the time is spent here.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -17,14 +17,14 @@ using geometry::Region;
 
 constexpr std::size_t lanes = pack_width;
 
-/// Pairs of this scene; the last ones may be one and the same, to fill.
+/// A node and a face a lane; the last pair is repeated in unused lanes.
 struct Batch {
   const NodeMotion* slave[lanes];
   const NodeMotion* corner[4][lanes];
   Pack side, dt;
 };
 
-/// motion(lane) points to a NodeMotion.
+/// motion(lane): pointer to the NodeMotion of a lane.
 template <class MotionOfLane>
 BRUNT_INLINE PackVec positions(const MotionOfLane& motion) {
   PackVec result;
@@ -39,7 +39,7 @@ BRUNT_INLINE PackVec predictions(const MotionOfLane& motion) {
   return result;
 }
 
-/// What `encounter` finds, lane by lane.
+/// The quantities of `encounter`, lane by lane.
 struct Result {
   alignas(64) double over_middle[lanes], beside[lanes], moved[lanes], risen[lanes], edge[lanes], along[lanes];
   alignas(64) double normal[3][lanes], point[3][lanes], weights[4][lanes];
@@ -68,7 +68,7 @@ void measure(const Batch& batch, Result& result) {
   const geometry::PackTangents t = geometry::tangents(quad, place.xi, place.eta);
   const PackVec across = geometry::cross(t.xi, t.eta);
   const Pack length2 = geometry::dot(across, across), scale = geometry::dot(t.xi, t.xi) + geometry::dot(t.eta, t.eta);
-  const PackMask upright = length2 > 1e-24 * scale * scale;  // else the face is folded here
+  const PackMask regular = length2 > 1e-24 * scale * scale;  // else the face has no normal here
   const PackVec normal = (batch.side / pack_sqrt(length2)) * across;
 
   PackVec relative = predictions(slave);
@@ -85,7 +85,7 @@ void measure(const Batch& batch, Result& result) {
   keep(normal, result.normal);
   keep(point, result.point);
   for (int i = 0; i < 4; ++i) keep(weights.of[i], result.weights[i]);
-  const PackMask known = place.known & upright;
+  const PackMask known = place.known & regular;
   std::memcpy(result.known, &known, sizeof known);
   std::memcpy(result.on_face, &place.on_face, sizeof place.on_face);
 }
@@ -111,8 +111,7 @@ void take(const Result& from, std::size_t lane, const MasterFace& face, const To
 
 }  // namespace
 
-void encounter_all(const FacesInMotion& scene, const Tolerances& tolerances, std::span<const NodeMotion* const> slave,
-                   std::span<Encounter> met) {
+void encounter_all(const FacesInMotion& scene, std::span<const NodeMotion* const> slave, std::span<Encounter> met) {
   Batch batch{};
   batch.dt = broadcast(scene.dt);
   Result result;
@@ -120,22 +119,22 @@ void encounter_all(const FacesInMotion& scene, const Tolerances& tolerances, std
     const std::size_t count = std::min(lanes, met.size() - first);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const std::size_t k = first + std::min(lane, count - 1);
-      const MasterFace& face = scene.faces[static_cast<std::size_t>(met[k].face)];
+      const MasterFace& face = scene.face(met[k]);
       batch.slave[lane] = slave[k];
       batch.side[lane] = met[k].approach.side;
-      for (std::size_t i = 0; i < 4; ++i)  // a triangle has no fourth corner; any will do, it is not used
-        batch.corner[i][lane] = &scene.motion[static_cast<std::size_t>(face.nodes[i])];
+      for (std::size_t i = 0; i < 4; ++i)  // of a triangle the last one is arbitrary: its lane is not used
+        batch.corner[i][lane] = &scene.corner(face, i);
     }
     measure(batch, result);
     for (std::size_t lane = 0; lane < count; ++lane) {
       Encounter& e = met[first + lane];
-      const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
+      const MasterFace& face = scene.face(e);
       if (face.corner_count != 4 || result.known[lane] == 0) {
-        e = encounter(scene, tolerances, *slave[first + lane], e.face, e.approach);
+        e = encounter(scene, *slave[first + lane], e.face, e.approach);
         continue;
       }
       e.size = scene.reach[static_cast<std::size_t>(e.face)].size;
-      take(result, lane, face, tolerances, e);
+      take(result, lane, face, scene.tolerances, e);
     }
   }
 }

@@ -14,6 +14,17 @@ namespace {
 
 using geometry::Region;
 
+/// Where the node lies relative to a face and its neighbours, numbered as on the page.
+enum class Zone : std::int8_t {
+  over_face = 1,   ///< outside; the closest point is the projection on the face
+  over_rim = 2,    ///< outside, beside the face by at most the rim; no neighbour is in front of the node
+  in_cone = 3,     ///< the same, but within the normal cone of a convex edge or vertex
+  under_face = 4,  ///< behind; the closest point is the projection on the face
+  under_rim = 5,   ///< behind, beside the face by at most the rim
+  in_pit = 6,      ///< behind, farther beside the face, but behind all faces of a concave edge or vertex
+  elsewhere = 7
+};
+
 double distance_to_face(const Encounter& e) {
   return std::sqrt(e.height * e.height + e.beside * e.beside);
 }
@@ -21,43 +32,58 @@ double distance_to_face(const Encounter& e) {
 /// The encounters of one slave with the faces of one body.
 class Neighbourhood {
  public:
-  Neighbourhood(const FacesInMotion& scene, const Tolerances& tolerances, Criterion criterion,
-                std::span<const Encounter> encounters)
-      : scene_(scene), tolerances_(tolerances), criterion_(criterion), encounters_(encounters) {}
+  Neighbourhood(const FacesInMotion& scene, Criterion criterion, std::span<const Encounter> encounters)
+      : scene_(scene), tolerances_(scene.tolerances), criterion_(criterion), encounters_(encounters) {}
 
   [[nodiscard]] Meeting meeting(const Encounter& e) const {
     if (e.meeting != Meeting::inside && e.meeting != Meeting::above) return e.meeting;
-    const bool at_rim = e.beside <= rim_of(e);
-    if (e.height > 0)
-      return e.region == Region::face || (at_rim && !has_neighbour_in_front(e)) ? Meeting::above : Meeting::none;
-    if (e.region == Region::face) return meeting_behind(e);
-    if (!at_rim && !lies_in_a_pit(e)) return Meeting::none;
-    const Meeting meeting = meeting_behind(e);
-    return meeting == Meeting::inside && has_foot_on_smooth_neighbour(e) ? Meeting::above : meeting;
+    switch (zone_of(e)) {
+      case Zone::over_face:
+      case Zone::over_rim:
+        return Meeting::above;
+      case Zone::under_face:
+        return meeting_behind(e);
+      case Zone::under_rim:
+      case Zone::in_pit: {
+        const Meeting behind = meeting_behind(e);
+        return behind == Meeting::inside && has_projection_on_smooth_neighbour(e) ? Meeting::deferred : behind;
+      }
+      case Zone::in_cone:
+      case Zone::elsewhere:
+        break;
+    }
+    return Meeting::none;
   }
 
  private:
+  /// The feature of the body that is nearest to the node.
   struct Nearest {
-    const Encounter* face = nullptr;  ///< one of those that share the feature; null: there is none
-    double distance = 0;              ///< > 0 outside of the body [length]
+    const Encounter* face = nullptr;  ///< one of the faces that share the feature; null: there is none
+    double distance = 0;              ///< signed, > 0 outside of the body [length]
   };
 
-  [[nodiscard]] const MasterFace& face_of(const Encounter& e) const {
-    return scene_.faces[static_cast<std::size_t>(e.face)];
+  [[nodiscard]] Zone zone_of(const Encounter& e) const {
+    const bool outside = e.height > 0;
+    if (e.region == Region::face) return outside ? Zone::over_face : Zone::under_face;
+    const bool at_rim = e.beside <= rim_of(e);
+    if (!outside) return at_rim ? Zone::under_rim : (is_in_pit(e) ? Zone::in_pit : Zone::elsewhere);
+    if (!at_rim) return Zone::elsewhere;
+    return has_neighbour_in_front(e) ? Zone::in_cone : Zone::over_rim;
   }
-  /// How far beside a face or behind it a place is as good as exact [length]: on a thin body its thickness decides.
+
+  /// Accuracy of positions beside and behind a face [length]; in a thin body the thickness limits it.
   [[nodiscard]] double rim_of(const Encounter& e) const {
-    return tolerances_.rim * std::min(e.size, face_of(e).element_depth);
+    return tolerances_.rim * std::min(e.size, scene_.face(e).element_depth);
   }
-  /// The boxes that list faces reach farther along some directions of space than along others: what is beyond the reach
-  /// has no say. Nor has a face without area.
+  /// Whether the node is within reach of the face. Candidates come from boxes along the axes, which contain more. A
+  /// face without area (height NaN) is never near.
   [[nodiscard]] bool is_near(const Encounter& e) const {
-    return distance_to_face(e) <= tolerances_.reach(e.size, face_of(e).element_depth) + e.approach.clearance;
+    return distance_to_face(e) <= tolerances_.reach(e.size, scene_.face(e).element_depth) + e.approach.clearance;
   }
   [[nodiscard]] bool any_is_admissible() const {
     return std::ranges::any_of(encounters_, [&](const Encounter& e) { return is_near(e) && is_admissible(e); });
   }
-  /// A side has no say against an admissible face.
+  /// A lateral face does not decide about an admissible one.
   [[nodiscard]] static bool competes(const Encounter& other, const Encounter& e) {
     return is_admissible(other) || !is_admissible(e);
   }
@@ -65,77 +91,77 @@ class Neighbourhood {
     return same_direction(one.normal, other.normal, tolerances_.same_direction);
   }
 
-  /// Calls visit(encounter) for the other faces around the feature on which e has its point, until one says no. Did all
-  /// say yes?
-  template <class Visit>
-  [[nodiscard]] bool all_around(const Encounter& e, Visit&& visit) const {
-    const std::array<LocalIndex, 2> nodes = nodes_of_feature(face_of(e), e.region);
+  /// Whether the predicate is true of all other near faces that share the feature with e's closest point.
+  template <class Predicate>
+  [[nodiscard]] bool all_around(const Encounter& e, Predicate&& predicate) const {
+    const std::array<LocalIndex, 2> nodes = nodes_of_feature(scene_.face(e), e.region);
     return std::ranges::all_of(encounters_, [&](const Encounter& other) {
       if (&other == &e || !is_near(other)) return true;
-      return !has_node(face_of(other), nodes[0]) || !has_node(face_of(other), nodes[1]) || visit(other);
+      const MasterFace& face = scene_.face(other);
+      return !has_node(face, nodes[0]) || !has_node(face, nodes[1]) || predicate(other);
     });
   }
 
-  /// Is the node in the cone of a convex edge or vertex, of which this face is but one?
+  /// Whether another face of a convex edge or vertex also has the node in front: the node is in the cone of the
+  /// feature.
   [[nodiscard]] bool has_neighbour_in_front(const Encounter& e) const {
     return !all_around(e, [&](const Encounter& other) {
-      return !(other.height > 0) || !competes(other, e) || in_one_direction(other, e) ||
-             concave(scene_.faces, scene_.motion, e, other, tolerances_);
+      return !(other.height > 0) || !competes(other, e) || in_one_direction(other, e) || concave(scene_, e, other);
     });
   }
 
-  /// Is there a near face beyond each side that starts at the feature? What is missing may have the node in front.
-  [[nodiscard]] bool is_seen_all_around(const Encounter& e) const {
-    const std::array<LocalIndex, 2> feature = nodes_of_feature(face_of(e), e.region);
-    const auto is_joined = [&](const Encounter& one, LocalIndex end) {
+  /// Whether near faces surround the feature without a gap. The missing face could have the node in front.
+  [[nodiscard]] bool is_surrounded(const Encounter& e) const {
+    const std::array<LocalIndex, 2> feature = nodes_of_feature(scene_.face(e), e.region);
+    const auto has_neighbour_at = [&](const Encounter& one, LocalIndex end) {
       return std::ranges::any_of(encounters_, [&](const Encounter& other) {
-        return &other != &one && is_near(other) && has_node(face_of(other), feature[0]) &&
-               has_node(face_of(other), end);
+        return &other != &one && is_near(other) && has_node(scene_.face(other), feature[0]) &&
+               has_node(scene_.face(other), end);
       });
     };
-    if (feature[0] != feature[1]) return is_joined(e, feature[1]);
+    if (feature[0] != feature[1]) return has_neighbour_at(e, feature[1]);
     return std::ranges::all_of(encounters_, [&](const Encounter& one) {
-      const MasterFace& face = face_of(one);
+      const MasterFace& face = scene_.face(one);
       if (!has_node(face, feature[0]) || !is_near(one)) return true;
       const auto count = static_cast<std::size_t>(face.corner_count);
       const auto corner = static_cast<std::size_t>(std::ranges::find(face.nodes, feature[0]) - face.nodes.begin());
-      return is_joined(one, face.nodes[(corner + 1) % count]) &&
-             is_joined(one, face.nodes[(corner + count - 1) % count]);
+      return has_neighbour_at(one, face.nodes[(corner + 1) % count]) &&
+             has_neighbour_at(one, face.nodes[(corner + count - 1) % count]);
     });
   }
 
-  /// A concave edge or vertex: the node is behind all faces around it, and over them or nearest to them there.
-  [[nodiscard]] bool lies_in_a_pit(const Encounter& e) const {
+  /// Zone 6: the node is behind all faces of the feature, and the closest point of each is its projection or is on the
+  /// feature.
+  [[nodiscard]] bool is_in_pit(const Encounter& e) const {
     const auto is_behind = [&](const Encounter& other) {
-      const auto in_one_place = [&] { return (other.point - e.point).norm() <= tolerances_.touching * e.size; };
-      return other.height <= 0 && (other.region == Region::face || in_one_place());
+      const auto have_one_point = [&] { return (other.point - e.point).norm() <= tolerances_.touching * e.size; };
+      return other.height <= 0 && (other.region == Region::face || have_one_point());
     };
-    return all_around(e, is_behind) && is_seen_all_around(e);
+    return all_around(e, is_behind) && is_surrounded(e);
   }
 
-  /// Beside e, but on a face that goes on from it smoothly? Then the foot there tells the gap, not the plane of e.
-  [[nodiscard]] bool has_foot_on_smooth_neighbour(const Encounter& e) const {
+  /// Whether the node, beside e, has its projection on a face that continues e smoothly: the gap is measured there, and
+  /// not from the plane of e.
+  [[nodiscard]] bool has_projection_on_smooth_neighbour(const Encounter& e) const {
     return std::ranges::any_of(encounters_, [&](const Encounter& other) {
       return other.region == Region::face && is_near(other) && in_one_direction(other, e) &&
              (other.point - e.point).norm() <= tolerances_.rim * std::min(e.size, other.size);
     });
   }
 
-  /// Of the faces around the encounter's point [rad]: the whole angle within a face, half of it at an edge.
+  /// Angle of the face at the closest point [rad]: 2 pi within the face, pi at an edge.
   [[nodiscard]] double angle_at_point(const Encounter& e) const {
     if (e.region == Region::face) return 2 * std::numbers::pi;
     if (e.region < Region::vertex0) return std::numbers::pi;
-    const MasterFace& face = face_of(e);
+    const MasterFace& face = scene_.face(e);
     const auto count = static_cast<std::size_t>(face.corner_count);
     const auto corner = static_cast<std::size_t>(static_cast<int>(e.region) - static_cast<int>(Region::vertex0));
-    const auto at = [&](std::size_t i) -> const Vec3& {
-      return scene_.motion[static_cast<std::size_t>(face.nodes[i % count])].position;
-    };
+    const auto at = [&](std::size_t i) -> const Vec3& { return scene_.corner(face, i % count).position; };
     const Vec3 next = at(corner + 1) - at(corner), last = at(corner + count - 1) - at(corner);
     return std::atan2(next.cross(last).norm(), next.dot(last));
   }
 
-  /// The nearest feature of the faces that count, with the sign of its angle-weighted normal.
+  /// The nearest feature of the faces that count, its distance with the sign of the angle-weighted normal.
   template <class Counts>
   [[nodiscard]] Nearest nearest(const Counts& counts) const {
     Nearest nearest;
@@ -145,40 +171,49 @@ class Neighbourhood {
       if ((nearest.face == nullptr || distance < nearest.distance) && counts(e)) nearest = {&e, distance};
     }
     if (nearest.face == nullptr) return nearest;
-    double height = 0;
+    double weighted_height = 0;
     for (const Encounter& e : encounters_) {
       if (!is_near(e) || (e.point - nearest.face->point).norm() > tolerances_.rounding * e.size) continue;
-      height += angle_at_point(e) * e.height;
+      weighted_height += angle_at_point(e) * e.height;
     }
-    if (height <= 0) nearest.distance = -nearest.distance;
+    if (weighted_height <= 0) nearest.distance = -nearest.distance;
     return nearest;
   }
 
-  /// Does the surface fall away from e to where the node is nearest to `other`, as it does around a convex edge? Where
-  /// the penetration is no deeper than the rim, a dent between warped faces may look like one.
+  /// The nearest feature that may refute a penetration through e. A shallow one is refuted only by faces that compete
+  /// with it. A deep one is refuted also by a lateral face that clearly has the node in front, and by all lateral faces
+  /// if no face is admissible.
+  [[nodiscard]] Nearest nearest_that_counts(const Encounter& e, bool deep) const {
+    const bool all_count = deep && !any_is_admissible();
+    return nearest([&](const Encounter& other) {
+      if (!deep) return competes(other, e);
+      const auto is_clear = [&] {
+        return other.height > 0 && distance_to_face(other) > tolerances_.touching * other.size;
+      };
+      return is_admissible(other) || all_count || is_clear();
+    });
+  }
+
+  /// Whether the surface falls away from e towards `other`, as around a convex edge. For a shallow penetration e's
+  /// closest point must also not be in front of the other face: a dent between warped faces may resemble a convex edge.
   [[nodiscard]] bool falls_away(const Encounter& e, const Encounter& other, bool deep) const {
     const Vec3 apart = other.point - e.point;
     return apart.dot(e.normal) < tolerances_.competing * e.height &&
            (deep || -apart.dot(other.normal) <= tolerances_.touching * e.size);
   }
 
+  /// Zones 4 to 6: whether the node has entered through this face.
   [[nodiscard]] Meeting meeting_behind(const Encounter& e) const {
     const double rim = rim_of(e);
     const bool deep = -e.height > rim;
     if (!deep && std::ranges::none_of(encounters_, [](const Encounter& other) { return other.height > 0; }))
-      return Meeting::inside;  // nearly always
-    const bool sides_count = deep && !any_is_admissible();
-    const Nearest found = nearest([&](const Encounter& other) {
-      const auto is_clear = [&] {
-        return other.height > 0 && distance_to_face(other) > tolerances_.touching * other.size;
-      };
-      if (deep) return is_admissible(other) || sides_count || is_clear();
-      return competes(other, e);
-    });
+      return Meeting::inside;  // the usual case
+    const Nearest found = nearest_that_counts(e, deep);
     if (found.face == nullptr || found.face == &e || !falls_away(e, *found.face, deep)) return Meeting::inside;
-    const bool came_in_there = criterion_ == Criterion::automatic && deep && -e.height > rim - found.distance;
-    if (!(found.distance > 0) && !came_in_there) return Meeting::inside;
-    return in_one_direction(*found.face, e) ? Meeting::above : Meeting::none;
+    const bool is_outside = found.distance > 0;
+    const bool entered_there = criterion_ == Criterion::automatic && deep && -e.height > rim - found.distance;
+    if (!is_outside && !entered_there) return Meeting::inside;
+    return in_one_direction(*found.face, e) ? Meeting::deferred : Meeting::none;
   }
 
   const FacesInMotion& scene_;
@@ -189,10 +224,9 @@ class Neighbourhood {
 
 }  // namespace
 
-void resolve_features(const FacesInMotion& scene, const Tolerances& tolerances, Criterion criterion,
-                      std::span<Encounter> encounters) {
-  const Neighbourhood neighbourhood(scene, tolerances, criterion, encounters);
-  // decided by heights and places, which stay, so that the order of the faces means nothing
+void resolve_features(const FacesInMotion& scene, Criterion criterion, std::span<Encounter> encounters) {
+  const Neighbourhood neighbourhood(scene, criterion, encounters);
+  // heights and closest points decide, which do not change: the order of the faces has no influence
   for (Encounter& e : encounters) e.meeting = neighbourhood.meeting(e);
 }
 

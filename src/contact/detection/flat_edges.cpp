@@ -10,28 +10,28 @@
 namespace brunt::contact {
 namespace {
 
-bool crosses_now(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
-                 double size, EdgeMeeting& met) {
-  const auto crossing = geometry::crossing_along(scene.start(slave), scene.start(master), normal);
-  if (!crossing || crossing->past_an_end) return false;
-  met = {crossing->s, crossing->t, crossing->gap, crossing->normal};
-  if (met.gap > 0) return is_slow(scene, slave, master, size);
-  return -met.gap <= scene.tolerances().max_penetration(size, std::min(slave.element_depth, master.element_depth));
+/// The meeting at the start of the step.
+std::optional<EdgeMeeting> cross_now(const EdgeScene& scene, const EdgePair& pair, const Vec3& normal) {
+  const auto crossing = geometry::crossing_along(scene.start(pair.slave), scene.start(pair.master), normal);
+  if (!crossing || crossing->past_an_end) return std::nullopt;
+  const EdgeMeeting met{crossing->s, crossing->t, crossing->gap, crossing->normal};
+  const bool in_reach = met.gap > 0 ? is_slow(scene, pair) : -met.gap <= max_penetration(scene, pair);
+  return in_reach ? std::optional(met) : std::nullopt;
 }
 
-bool crosses_in_step(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, const Vec3& normal,
-                     double size, EdgeMeeting& met) {
-  if (is_slow(scene, slave, master, size)) return false;
-  const auto hit =
-      geometry::edge_crossing({scene.start(slave), scene.end(slave)}, {scene.start(master), scene.end(master)});
-  if (!hit || hit->normal.dot(normal) < scene.tolerances().facing) return false;
-  const double approach = -normal.dot(relative_displacement(scene, slave, master, hit->s, hit->t));
-  met = {hit->s, hit->t, hit->tau * approach, normal};
-  return approach > 0;
+/// The meeting of edges whose paths cross within the step.
+std::optional<EdgeMeeting> cross_in_step(const EdgeScene& scene, const EdgePair& pair, const Vec3& normal) {
+  if (is_slow(scene, pair)) return std::nullopt;
+  const auto hit = geometry::edge_crossing({scene.start(pair.slave), scene.end(pair.slave)},
+                                           {scene.start(pair.master), scene.end(pair.master)});
+  if (!hit || hit->normal.dot(normal) < scene.tolerances().facing) return std::nullopt;
+  const double approach = -normal.dot(relative_displacement<&NodeMotion::predicted>(scene, pair, hit->s, hit->t));
+  if (!(approach > 0)) return std::nullopt;
+  return EdgeMeeting{hit->s, hit->t, hit->tau * approach, normal};
 }
 
-/// How far from its end at a rim a flat edge is met as that, as a share of its length.
-double rim_at(const EdgeScene& scene, const ContactEdge& flat, const ContactEdge& rim, std::size_t end) {
+/// Share of the flat edge's length at its end on a rim of its own within which the rims are in contact instead.
+double share_of_rim(const EdgeScene& scene, const ContactEdge& flat, const ContactEdge& rim, std::size_t end) {
   const double length = scene.length(flat);
   const auto [one, other] = flat.end_at_side[end];
   const bool seam = (one || other) && seams_count(scene.settings, rim.body, flat.body);
@@ -40,18 +40,19 @@ double rim_at(const EdgeScene& scene, const ContactEdge& flat, const ContactEdge
 
 }  // namespace
 
-bool rim_crosses_flat(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size,
-                      EdgeMeeting& met) {
-  const ContactEdge &flat = slave.flat ? slave : master, &rim = slave.flat ? master : slave;
-  if (scene.start(slave).along().cross(scene.start(master).along()).norm() < scene.full) return false;
-  const Vec3 out = scene.outward(flat).normalized(), normal = slave.flat ? Vec3(-out) : out;
-  if (!between_normals(scene, rim, -out, scene.tolerances().warp)) return false;
-  if (!crosses_now(scene, slave, master, normal, size, met) &&
-      !crosses_in_step(scene, slave, master, normal, size, met))
-    return false;
-  const double at = slave.flat ? met.s : met.t;
-  return !(flat.end_on_rim[0] != 0 && at <= rim_at(scene, flat, rim, 0)) &&
-         !(flat.end_on_rim[1] != 0 && 1 - at <= rim_at(scene, flat, rim, 1));
+std::optional<EdgeMeeting> cross_rim(const EdgeScene& scene, const EdgePair& pair) {
+  const bool slave_is_flat = pair.slave.flat;
+  const ContactEdge &flat = slave_is_flat ? pair.slave : pair.master, &rim = slave_is_flat ? pair.master : pair.slave;
+  if (are_nearly_parallel(scene, pair)) return std::nullopt;
+  const Vec3 out = scene.outward(flat).normalized(), normal = slave_is_flat ? Vec3(-out) : out;
+  if (!between_normals(scene, rim, -out, scene.tolerances().warp)) return std::nullopt;
+  auto met = cross_now(scene, pair, normal);
+  if (!met) met = cross_in_step(scene, pair, normal);
+  if (!met) return std::nullopt;
+  const double at = slave_is_flat ? met->s : met->t;
+  const bool at_own_rim = (flat.end_on_rim[0] != 0 && at <= share_of_rim(scene, flat, rim, 0)) ||
+                          (flat.end_on_rim[1] != 0 && 1 - at <= share_of_rim(scene, flat, rim, 1));
+  return at_own_rim ? std::nullopt : met;
 }
 
 }  // namespace brunt::contact

@@ -3,14 +3,15 @@
 // of that body, and none of its own nodes is near. Without these rows it penetrates by up to half of an element. The
 // rim crosses the edges between the faces, although these are flat.
 #pragma once
+#include <optional>
+
 #include "edge_scene.hpp"
 
 namespace brunt::contact {
 
-/// Whether a rim and an edge that lies within a face of the other body touch, or will within the step, along the normal
-/// of that face. One of the two is flat. Where the flat edge ends at a rim of its own, the rims are in contact. met:
-/// the position of contact.
-bool rim_crosses_flat(const EdgeScene& scene, const ContactEdge& slave, const ContactEdge& master, double size,
-                      EdgeMeeting& met);
+/// The meeting of a rim with an edge that lies within a face of the other body, if they touch or will within the step,
+/// along the normal of that face. One of the two is flat. Where the flat edge ends at a rim of its own, the rims are in
+/// contact instead.
+std::optional<EdgeMeeting> cross_rim(const EdgeScene& scene, const EdgePair& pair);
 
 }  // namespace brunt::contact

@@ -9,44 +9,36 @@
 namespace brunt::contact {
 namespace {
 
-const MasterFace& face_of(const FacesInMotion& scene, const Encounter& e) {
-  return scene.faces[static_cast<std::size_t>(e.face)];
-}
-
-/// How far node and face point have moved apart in the last step: the predicted velocities hold what presses the node
-/// into a face that bears it.
+/// Relative displacement of node and contact point in the last step. The velocities after contact are used: the
+/// predicted ones include the load that presses the node into a face which supports it.
 Vec3 last_displacement(const FacesInMotion& scene, const NodeMotion& slave, const Encounter& e) {
-  const MasterFace& face = face_of(scene, e);
-  Vec3 relative = slave.old_velocity;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
-    relative -= e.weights[i] * scene.motion[static_cast<std::size_t>(face.nodes[i])].old_velocity;
-  return scene.dt * relative;
+  return scene.dt * relative_velocity<&NodeMotion::old_velocity>(scene, slave, scene.face(e), e.weights);
 }
 
-/// Is the place where the node meets `side` below the edge of `top` by no more than a ledge?
-bool meets_ledge_side(const FacesInMotion& scene, const Tolerances& tolerances, const Encounter& side,
-                      const Encounter& top) {
-  const double height = tolerances.ledge * std::min(side.size, top.size);
-  if (!(top.height <= 0) || -top.height > height || top.opposition < tolerances.competing * side.opposition)
+/// Whether the contact point on the lateral face is below the common edge with `top` by no more than a ledge.
+bool meets_ledge(const FacesInMotion& scene, const Encounter& lateral, const Encounter& top) {
+  const Tolerances& tolerances = scene.tolerances;
+  const double height = tolerances.ledge * std::min(lateral.size, top.size);
+  if (!(top.height <= 0) || -top.height > height || top.opposition < tolerances.competing * lateral.opposition)
     return false;
-  if (contact::same_direction(side.normal, top.normal, tolerances.same_direction)) return false;  // as nearly all are
-  return (top.point - side.point).dot(top.normal) <= 2 * height &&
-         shared_nodes(face_of(scene, side), face_of(scene, top)) >= 2 &&
-         !concave(scene.faces, scene.motion, side, top, tolerances);
+  if (same_direction(lateral.normal, top.normal, tolerances.same_direction)) return false;  // the usual case
+  return (top.point - lateral.point).dot(top.normal) <= 2 * height &&
+         shared_nodes(scene.face(lateral), scene.face(top)) >= 2 && !concave(scene, lateral, top);
 }
 
 }  // namespace
 
-void remove_ledge_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                        std::span<Encounter> encounters) {
-  if (one_direction(encounters, tolerances.same_direction)) return;  // nearly always
-  for (Encounter& side : encounters) {
-    if (side.meeting == Meeting::none) continue;
-    const auto is_below = [&](const Encounter& top) {
-      return &top != &side && meets_ledge_side(scene, tolerances, side, top) &&
-             slides_into(last_displacement(scene, slave, side), side.normal, top.normal, side.size, tolerances);
+void remove_lateral_faces_of_ledges(const FacesInMotion& scene, const NodeMotion& slave,
+                                    std::span<Encounter> encounters) {
+  if (one_direction(encounters, scene.tolerances.same_direction)) return;  // the usual case
+  for (Encounter& lateral : encounters) {
+    if (lateral.meeting == Meeting::none) continue;
+    const auto is_top_of_ledge = [&](const Encounter& top) {
+      return &top != &lateral && meets_ledge(scene, lateral, top) &&
+             slides_into(last_displacement(scene, slave, lateral), lateral.normal, top.normal, lateral.size,
+                         scene.tolerances);
     };
-    if (std::ranges::any_of(encounters, is_below)) side.meeting = Meeting::none;
+    if (std::ranges::any_of(encounters, is_top_of_ledge)) lateral.meeting = Meeting::none;
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ledges: where a body slides from one body to a flush neighbour, the first has settled slightly under the load, and
-// the second protrudes by this amount. A sliding node then meets the side of the second body slightly below its edge. A
-// row there would stop the body, or reverse its motion.
+// Ledges: under load a body settles slightly below its flush neighbour, which then protrudes. A node that slides over
+// both meets the lateral face of the neighbour slightly below its upper edge. A row there would stop the body or
+// reverse its motion.
 #pragma once
 #include <span>
 
@@ -10,13 +10,13 @@
 
 namespace brunt::contact {
 
-/// Sides of ledges become Meeting::none. If a node moves into a face, but along the neighbouring face across a convex
-/// edge, and is behind that face by no more than a ledge, only the neighbouring face is used, and the height is
+/// Lateral faces of ledges become Meeting::none. If a node moves into a face, but along the neighbouring face across a
+/// convex edge, and is behind that face by no more than a ledge, only the neighbouring face is used, and the height is
 /// recovered slowly (see required_rate). If the node moves equally into the neighbour, or hardly at all, there is no
 /// ledge, and the nearest face is used. encounters: of one slave with the faces of one body, with their opposition,
 /// after detect_path_hits.
-void remove_ledge_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                        std::span<Encounter> encounters);
+void remove_lateral_faces_of_ledges(const FacesInMotion& scene, const NodeMotion& slave,
+                                    std::span<Encounter> encounters);
 
 /// Whether this motion in a step [length] is into the face of one normal, but along the face of the other. size:
 /// longest edge [length].

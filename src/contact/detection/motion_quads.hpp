@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of a node, four doubles at a time: x, y, z and one that means nothing.
+// Vectors of a node as four doubles: x, y, z and one without meaning.
 #pragma once
 #include <cstring>
 

@@ -13,7 +13,7 @@ constexpr std::size_t most_rows_of_a_node = 4;
 /// Sorts the encounters (of one slave, all bodies) so that the selected ones come first, merges equal ones, and returns
 /// the number of selected ones, at most most_rows_of_a_node. Faces with an opposition below half of the best one are
 /// excluded.
-std::size_t select_rows(std::span<const MasterFace> faces, std::span<const NodeMotion> motion, const NodeMotion& slave,
-                        double dt, Criterion criterion, const Tolerances& tolerances, std::span<Encounter> encounters);
+std::size_t select_rows(const FacesInMotion& scene, const NodeMotion& slave, Criterion criterion,
+                        std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

@@ -15,20 +15,19 @@ using geometry::Box;
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
-/// Distance along the axis of largest separation; negative for overlapping boxes. It decreases with the motion of both,
-/// and with the growth of the reach with the length of edges: half of the motion of their nodes.
+/// Distance along the axis of largest separation; negative for overlapping boxes. It decreases by the motion of both
+/// boxes, and by the growth of the reach, which is at most half of the motion of the nodes.
 double apart(const Box& one, const Box& other) {
   return std::max((one.low - other.high).maxCoeff(), (other.low - one.high).maxCoeff());
 }
 
 }  // namespace
 
-double separation_of_faces(const Candidates& candidates, std::span<const FaceReach> reach,
-                           std::span<const NodeMotion> motion, double dt) {
+double separation_of_faces(const StepView& step, const Candidates& candidates, std::span<const FaceReach> reach) {
   double least = nowhere;
   for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
-    const NodeMotion& node = motion[static_cast<std::size_t>(candidates.slave[s])];
-    const Box sweep = geometry::bounding_box(std::array{node.position, Vec3(node.position + dt * node.predicted)});
+    const NodeMotion& node = step.motion[static_cast<std::size_t>(candidates.slave[s])];
+    const Box sweep = geometry::bounding_box(std::array{node.position, Vec3(node.position + step.dt * node.predicted)});
     const double clearance = candidates.half_thickness.empty() ? 0.0 : candidates.half_thickness[s];
     for (const LocalIndex face : candidates.faces.row(static_cast<LocalIndex>(s)))
       least = std::min(least, apart(reach[static_cast<std::size_t>(face)].box, sweep) - clearance);
@@ -36,9 +35,8 @@ double separation_of_faces(const Candidates& candidates, std::span<const FaceRea
   return least;
 }
 
-double separation_of_edges(const EdgeCandidates& candidates, std::span<const NodeMotion> motion, double dt,
-                           const DetectionSettings& settings) {
-  const EdgeScene scene{{}, motion, {}, {}, dt, settings, 0};
+double separation_of_edges(const StepView& step, const EdgeCandidates& candidates) {
+  const EdgeScene scene(step, {.candidates = candidates});
   double least = nowhere;
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
     const Box sweep = scene.sweep(candidates.slaves[e]);
@@ -48,16 +46,16 @@ double separation_of_edges(const EdgeCandidates& candidates, std::span<const Nod
   return least;
 }
 
-double separation_of_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
-                           std::span<const NodeMotion> motion, double dt, const DetectionSettings& settings) {
+double separation_of_walls(const StepView& step, std::span<const WallCandidate> candidates,
+                           std::span<const Wall> walls) {
   double least = nowhere;
   for (const WallCandidate& candidate : candidates) {
     const Wall& wall = walls[static_cast<std::size_t>(candidate.wall)];
     if (wall.bilateral && candidate.held) return 0;
-    const NodeMotion& node = motion[static_cast<std::size_t>(candidate.node)];
+    const NodeMotion& node = step.motion[static_cast<std::size_t>(candidate.node)];
     const double gap = (node.position - wall.point).dot(wall.normal);
-    const double next = gap + dt * (node.predicted - wall.velocity).dot(wall.normal);
-    least = std::min(least, std::min(gap, next) - settings.tolerances->capture * settings.wall_size);
+    const double next = gap + step.dt * (node.predicted - wall.velocity).dot(wall.normal);
+    least = std::min(least, std::min(gap, next) - step.settings.tolerances->capture * step.settings.wall_size);
   }
   return least;
 }

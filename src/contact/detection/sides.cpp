@@ -14,7 +14,8 @@ double remembered_side(std::span<const HistoryRecord> remembered, GlobalIndex fa
   return found == remembered.end() ? unknown : found->side;
 }
 
-/// +1 where the faces share an edge and are turned alike, -1 where they are turned against each other, else 0.
+/// +1 if the faces share an edge and their normals have the same orientation, -1 if the opposite one, 0 if they share
+/// none.
 double relative_orientation(const MasterFace& one, const MasterFace& other) {
   const auto corner = [](const MasterFace& face, std::int32_t i) {
     return face.nodes[static_cast<std::size_t>(i % face.corner_count)];
@@ -27,10 +28,11 @@ double relative_orientation(const MasterFace& one, const MasterFace& other) {
   return 0;
 }
 
+/// The remembered side of a neighbouring face, in the orientation of this one.
 double side_across_an_edge(const FacesInMotion& scene, std::span<const HistoryRecord> remembered,
                            std::span<const Encounter> encounters, const MasterFace& face) {
-  for (const Encounter& other : encounters) {  // by key
-    const MasterFace& neighbour = scene.faces[static_cast<std::size_t>(other.face)];
+  for (const Encounter& other : encounters) {  // in the order of their keys
+    const MasterFace& neighbour = scene.face(other);
     const double side = neighbour.two_sided ? remembered_side(remembered, neighbour.key) : unknown;
     if (side == unknown) continue;
     if (const double turned = relative_orientation(face, neighbour); turned != 0) return turned * side;
@@ -38,11 +40,10 @@ double side_across_an_edge(const FacesInMotion& scene, std::span<const HistoryRe
   return unknown;
 }
 
-/// The side that the node is on. Beside the face the plane does not decide (behind a convex edge lies the outside):
-/// there it is a path through the face that counts.
-double side_at_first_sight(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                           const Encounter& e) {
-  Encounter up = encounter(scene, tolerances, slave, e.face, {1, e.approach.clearance});
+/// The side of the plane on which the node is, if its projection lies on the face. Beside the face the plane does not
+/// decide, since it continues outside of the body beyond a convex edge; there a path through the face decides.
+double side_at_first_sight(const FacesInMotion& scene, const NodeMotion& slave, const Encounter& e) {
+  Encounter up = encounter(scene, slave, e.face, {1, e.approach.clearance});
   const double over_middle = up.height + e.approach.clearance;
   if (up.region == geometry::Region::face && over_middle != 0) return over_middle > 0 ? 1 : -1;
   Encounter down = up;
@@ -58,14 +59,14 @@ double side_at_first_sight(const FacesInMotion& scene, const Tolerances& toleran
 
 }  // namespace
 
-void find_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                std::span<const HistoryRecord> remembered, std::span<Encounter> encounters) {
+void find_sides(const FacesInMotion& scene, const NodeMotion& slave, std::span<const HistoryRecord> remembered,
+                std::span<Encounter> encounters) {
   for (Encounter& e : encounters) {
-    const MasterFace& face = scene.faces[static_cast<std::size_t>(e.face)];
+    const MasterFace& face = scene.face(e);
     if (!face.two_sided) continue;
     double side = remembered_side(remembered, face.key);
     if (side == unknown) side = side_across_an_edge(scene, remembered, encounters, face);
-    if (side == unknown) side = side_at_first_sight(scene, tolerances, slave, e);
+    if (side == unknown) side = side_at_first_sight(scene, slave, e);
     e.approach.side = side;
   }
 }

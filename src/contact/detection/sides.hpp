@@ -13,7 +13,7 @@ namespace brunt::contact {
 /// the clearance are set): the remembered one; otherwise that of a remembered face across an edge, since a node slides
 /// from face to face; otherwise the side of the node, or the side from which it comes if its path passes through.
 /// remembered: of this slave.
-void find_sides(const FacesInMotion& scene, const Tolerances& tolerances, const NodeMotion& slave,
-                std::span<const HistoryRecord> remembered, std::span<Encounter> encounters);
+void find_sides(const FacesInMotion& scene, const NodeMotion& slave, std::span<const HistoryRecord> remembered,
+                std::span<Encounter> encounters);
 
 }  // namespace brunt::contact

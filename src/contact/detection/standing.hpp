@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The single classifier of encounters: position of a node relative to the closest point of a face, for one pair or a
+// The classifier of encounters by position: where a node is relative to the closest point of a face, for one pair or a
 // pack of pairs, and the resulting meeting.
 #pragma once
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace brunt::contact {
 /// T: double, or Pack for a pair a lane.
 template <class T>
 struct Standing {
-  T over_middle;  ///< height over the plane at the closest point [length]
-  T beside;       ///< distance of the node's foot on that plane from the point [length]
-  T moved;        ///< way of the node against the point within the step [length]
-  T risen;        ///< of it, out of the plane [length]
+  T over_middle;  ///< height over the tangent plane at the closest point [length]
+  T beside;       ///< distance of the node's projection on that plane from the point [length]
+  T moved;        ///< length of the motion relative to the point within the step [length]
+  T risen;        ///< its component along the normal [length]
 };
 
-/// normal: unit, on the node's side; relative: the node's predicted velocity against the point's.
+/// normal: unit, on the node's side; relative: predicted velocity of the node relative to the point.
 template <class T>
 BRUNT_INLINE Standing<T> stand(const geometry::VecOf<T>& node, const geometry::VecOf<T>& point,
                                const geometry::VecOf<T>& normal, const geometry::VecOf<T>& relative, T dt) {
@@ -39,7 +39,7 @@ inline void classify(const Standing<double>& at, const Tolerances& tolerances, d
     return;
   }
   met.slow = at.moved <= tolerances.slow * met.size;
-  // the boxes that list faces reach farther along some directions of space than along others
+  // candidates come from boxes along the axes, which reach farther along some directions than along others
   if (met.height + std::min(0.0, at.risen) > tolerances.reach(met.size, element_depth)) return;
   const bool over = met.region == geometry::Region::face;
   if (over || met.beside <= tolerances.rim * met.size) met.meeting = Meeting::above;

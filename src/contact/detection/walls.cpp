@@ -7,22 +7,22 @@
 
 namespace brunt::contact {
 
-void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wall> walls,
-                  std::span<const GlobalIndex> gid, std::span<const NodeMotion> motion, double dt,
-                  const DetectionSettings& settings, std::vector<Row>& rows) {
+void detect_walls(const StepView& step, std::span<const WallCandidate> candidates, std::span<const Wall> walls,
+                  std::vector<Row>& rows) {
+  const DetectionSettings& settings = step.settings;
   for (const WallCandidate& candidate : candidates) {
     const Wall& wall = walls[static_cast<std::size_t>(candidate.wall)];
-    const NodeMotion& node = motion[static_cast<std::size_t>(candidate.node)];
+    const NodeMotion& node = step.motion[static_cast<std::size_t>(candidate.node)];
     const double gap = (node.position - wall.point).dot(wall.normal);
     const double wall_rate = wall.velocity.dot(wall.normal);
-    const double next_gap = gap + dt * (node.predicted.dot(wall.normal) - wall_rate);
+    const double next_gap = gap + step.dt * (node.predicted.dot(wall.normal) - wall_rate);
     const bool held = wall.bilateral && candidate.held;
     if (!held && std::min(gap, next_gap) > settings.tolerances->capture * settings.wall_size) continue;
     const bool closed = held || gap < 0;
     const double limit = settings.tolerances->recovery_limit * settings.wall_size;
     const double recovery = std::clamp(-settings.tolerances->recovery * gap, -limit, limit);
     Row row{.key = {.kind = RowKind::wall,
-                    .slave = gid[static_cast<std::size_t>(candidate.node)],
+                    .slave = step.gid[static_cast<std::size_t>(candidate.node)],
                     .master = candidate.wall}};
     row.nodes[0] = candidate.node;
     row.weights[0] = 1;
@@ -31,7 +31,8 @@ void detect_walls(std::span<const WallCandidate> candidates, std::span<const Wal
     row.normal = wall.normal;
     row.gap = gap;
     row.wall_rate = wall_rate;
-    row.required = wall_rate + (closed ? recovery / recovery_time(row, settings.wall_size, dt, settings) : -gap / dt);
+    row.required =
+        wall_rate + (closed ? recovery / recovery_time(row, settings.wall_size, step.dt, settings) : -gap / step.dt);
     row.cone = held ? Cone::free : Cone::compression;
     rows.push_back(row);
   }

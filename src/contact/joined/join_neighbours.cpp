@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "comm/rendezvous.hpp"
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "geometry/closest_point.hpp"
 
@@ -91,7 +92,7 @@ struct EdgeUse {
   Place face;
   std::array<double, 3> area{};       ///< of the face
   std::array<double, 3> direction{};  ///< of the edge, counter-clockwise around the face
-  std::array<GlobalIndex, 8> element{};
+  std::array<GlobalIndex, cells::most_corners> element{};
   double element_depth = 0;
   std::int32_t body = 0, block = 0;
 };
@@ -100,7 +101,7 @@ struct EdgeUse {
 struct EdgeFound {
   std::array<GlobalIndex, 2> gid{};
   std::array<Place, 2> faces{};  ///< lower key first
-  std::array<std::array<GlobalIndex, 8>, 2> elements{};
+  std::array<std::array<GlobalIndex, cells::most_corners>, 2> elements{};
   std::int32_t body = 0, block = 0;
   double element_depth = 0;
   EdgeKind kind = EdgeKind::flat;
@@ -214,7 +215,8 @@ std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::L
         .facets = edge.faces, .body = edge.body, .block = edge.block, .element_depth = edge.element_depth};
     convex.kind = edge.kind;
     for (std::size_t i = 0; i < 2; ++i) {
-      std::copy(edge.elements[i].begin(), edge.elements[i].end(), convex.elements.begin() + static_cast<long>(8 * i));
+      std::copy(edge.elements[i].begin(), edge.elements[i].end(),
+                convex.elements.begin() + static_cast<long>(cells::most_corners * i));
       const auto at = std::lower_bound(surface.gid.begin(), surface.gid.end(), edge.gid[i]);
       demand(at != surface.gid.end() && *at == edge.gid[i], "the nodes of a face's edge are on its rank");
       convex.nodes[i] = static_cast<LocalIndex>(at - surface.gid.begin());

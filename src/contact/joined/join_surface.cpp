@@ -12,6 +12,7 @@
 #include "contact/data/tolerances.hpp"
 #include "contact/joined/join_neighbours.hpp"
 #include "contact/joined/seams.hpp"
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "geometry/closest_point.hpp"
 #include "geometry/shortest_edge.hpp"
@@ -44,10 +45,6 @@ struct Outside {
   surface::Alive alive{};
 };
 
-std::size_t corner_count(const mesh::ExteriorFace& face) {
-  return face.nodes[3] == no_index ? 3 : 4;
-}
-
 /// In order of gid, then face key: the same whoever sent them.
 std::vector<NodeUse> uses_of_owned_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
                                          const Outside& outside) {
@@ -61,7 +58,7 @@ std::vector<NodeUse> uses_of_owned_nodes(const comm::Communicator& ranks, const 
   for (std::size_t f = 0; f < outside.faces.size(); ++f) {
     const mesh::ExteriorFace& face = outside.faces[f];
     const bool touches = outside.excluded[f] == 0;
-    for (std::size_t i = 0; i < corner_count(face); ++i) {
+    for (std::size_t i = 0; i < cells::corner_count(face.nodes); ++i) {
       const auto node = static_cast<std::size_t>(face.nodes[i]);
       outgoing[static_cast<std::size_t>(mesh.owner[node])].push_back(
           {mesh.node_gid[node], face.key, touches ? face.block : no_index, face.body, {ranks.rank(), contact_face}});
@@ -139,8 +136,9 @@ std::span<const LocalIndex> element_of(const mesh::LocalMesh& mesh, const mesh::
       mesh.blocks[static_cast<std::size_t>(face.block)].gid.empty())
     return {};
   const mesh::LocalBlock& block = mesh.blocks[static_cast<std::size_t>(face.block)];
-  const auto found = std::lower_bound(block.gid.begin(), block.gid.end(), face.key / 8);
-  demand(found != block.gid.end() && *found == face.key / 8, "the element of an exterior face is on its rank");
+  const auto found = std::lower_bound(block.gid.begin(), block.gid.end(), cells::element_of_key(face.key));
+  demand(found != block.gid.end() && *found == cells::element_of_key(face.key),
+         "the element of an exterior face is on its rank");
   const auto width = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
   return {&block.nodes[static_cast<std::size_t>(found - block.gid.begin()) * width], width};
 }
@@ -151,7 +149,7 @@ double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face
   const std::span<const LocalIndex> element = element_of(mesh, face);
   if (element.empty()) return std::numeric_limits<double>::infinity();
   const auto corner = [&](LocalIndex node) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(node)]; };
-  const std::size_t count = corner_count(face);
+  const std::size_t count = cells::corner_count(face.nodes);
   std::array<Vec3, 4> corners;
   Vec3 centre = Vec3::Zero();
   for (std::size_t i = 0; i < count; ++i) {
@@ -169,16 +167,16 @@ void collect_faces(const mesh::LocalMesh& mesh, const Outside& outside, Surface&
     if (outside.excluded[f] != 0) continue;
     const mesh::ExteriorFace& from = outside.faces[f];
     SurfaceFace face{.key = from.key,
-                     .corner_count = static_cast<std::int32_t>(corner_count(from)),
+                     .corner_count = static_cast<std::int32_t>(cells::corner_count(from.nodes)),
                      .body = from.body,
                      .block = from.block,
                      .element_depth = element_depth(mesh, from)};
-    for (std::size_t i = 0; i < corner_count(from); ++i)
+    for (std::size_t i = 0; i < cells::corner_count(from.nodes); ++i)
       face.nodes[i] = index_of(surface.gid, mesh.node_gid[static_cast<std::size_t>(from.nodes[i])]);
     face.element.fill(no_index);
     const std::span<const LocalIndex> element = element_of(mesh, from);
     const std::span<const LocalIndex> behind =
-        element.empty() ? std::span(from.nodes.data(), corner_count(from)) : element;
+        element.empty() ? std::span(from.nodes.data(), cells::corner_count(from.nodes)) : element;
     for (std::size_t i = 0; i < behind.size(); ++i)
       face.element[i] = mesh.node_gid[static_cast<std::size_t>(behind[i])];
     surface.faces.push_back(face);

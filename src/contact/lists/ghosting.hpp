@@ -12,6 +12,7 @@
 #include "comm/communicator.hpp"
 #include "comm/rendezvous.hpp"
 #include "contact/surface/surface.hpp"
+#include "core/cells.hpp"
 #include "geometry/box.hpp"
 
 namespace brunt::contact {
@@ -32,10 +33,10 @@ struct GhostFace {
   std::array<GlobalIndex, 4> gid{};
   std::array<Place, 4> home{};
   std::int32_t corner_count = 0, body = 0, block = 0;
-  PlainBox capture{};                    ///< capture box
-  double element_depth = 0;              ///< of its element
-  std::uint8_t seams = 0;                ///< as of the surface's face
-  std::array<GlobalIndex, 8> element{};  ///< nodes of its element, no_index to fill
+  PlainBox capture{};                                      ///< capture box
+  double element_depth = 0;                                ///< of its element
+  std::uint8_t seams = 0;                                  ///< as of the surface's face
+  std::array<GlobalIndex, cells::most_corners> element{};  ///< nodes of its element, no_index to fill
 
   friend bool operator<(const GhostFace& a, const GhostFace& b) { return a.key < b.key; }
 };
@@ -44,7 +45,7 @@ struct GhostFace {
 struct GhostEdge {
   std::array<GlobalIndex, 2> gid{};  ///< ascending
   std::array<Place, 2> home{}, facets{};
-  std::array<GlobalIndex, 16> elements{};
+  std::array<GlobalIndex, 2 * cells::most_corners> elements{};
   double element_depth = 0;  ///< of its elements
   std::int32_t body = 0, block = 0;
   EdgeKind kind = EdgeKind::sharp;

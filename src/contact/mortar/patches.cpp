@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/mortar/corners.hpp"
+#include "core/cells.hpp"
 #include "core/sorted.hpp"
 #include "core/union_find.hpp"
 
@@ -27,7 +28,7 @@ struct EdgeSide {
 std::vector<EdgeSide> edge_sides(std::span<const FacetNodes> facets) {
   std::vector<EdgeSide> sides;
   for (std::size_t f = 0; f < facets.size(); ++f) {
-    const std::size_t n = facets[f][3] == no_index ? 3 : 4;
+    const std::size_t n = cells::corner_count(facets[f]);
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t next = (k + 1) % n;
       const auto [low, high] = std::minmax(facets[f][k], facets[f][next]);
@@ -150,7 +151,7 @@ NodePatches patches_of(std::span<const PatchNumbers> facets) {
   patches.at_rim.assign(each.size(), 0);
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const FacetNodes& of_corner = patches.of_corner[f];
-    const std::size_t corners = of_corner[3] == no_index ? 3 : 4;
+    const std::size_t corners = cells::corner_count(of_corner);
     for (std::size_t k = 0; k < corners; ++k)
       if ((patches.rims[f] >> k & 1) != 0)
         for (const std::size_t end : {k, (k + 1) % corners})

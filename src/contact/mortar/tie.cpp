@@ -9,6 +9,7 @@
 
 #include "add_block.hpp"
 #include "contact/mortar/corners.hpp"
+#include "core/cells.hpp"
 #include "facet_rows.hpp"
 #include "geometry/closest_point.hpp"
 #include "normal_change.hpp"
@@ -176,7 +177,7 @@ void tie_patches(const TieStart& start, const MortarSurfaces& surfaces, const Mo
   for (std::size_t facet = 0; facet < surfaces.slave.size() && start.apart; ++facet) {
     if (!surfaces.is_ours(facet)) continue;
     const FacetNodes& nodes = surfaces.slave[facet];
-    const std::size_t corners = nodes[3] == no_index ? 3 : 4;
+    const std::size_t corners = cells::corner_count(nodes);
     Vec3 q = Vec3::Zero();
     for (std::size_t k = 0; k < corners; ++k)
       if (const LocalIndex row = topology.row_of_corner[facet][k]; row != no_index)

@@ -9,6 +9,7 @@
 
 #include "contact/data/row_key.hpp"
 #include "contact/data/specification.hpp"
+#include "core/cells.hpp"
 #include "core/ragged.hpp"
 #include "core/types.hpp"
 #include "mesh/local_mesh.hpp"
@@ -29,7 +30,8 @@ struct SurfaceFace {
   std::int32_t body = 0, block = 0;
   double element_depth = 0;  ///< of the element behind it, or its width if that is less, at the start [length]
   std::uint8_t seams = 0;    ///< bit i: another face continues beyond side i (corners i, i + 1), see seams.hpp
-  std::array<GlobalIndex, 8> element{};  ///< nodes of that element, no_index to fill; the corners without an element
+  /// Nodes of that element, no_index to fill; the corners without an element.
+  std::array<GlobalIndex, cells::most_corners> element{};
 };
 
 /// Kind of an edge by the initial angle between its faces. Sharp convex edges have contact with all edges of other
@@ -40,11 +42,11 @@ enum class EdgeKind : std::int8_t { flat, blunt, sharp };
 
 /// An edge of the reference surface that may have edge-to-edge contact.
 struct SurfaceEdge {
-  std::array<LocalIndex, 2> nodes{};       ///< surface nodes, lower gid first
-  std::array<Place, 2> facets{};           ///< the two faces that meet in it, lower key first
-  std::array<GlobalIndex, 16> elements{};  ///< nodes of the elements behind them, no_index to fill
-  std::int32_t body = 0, block = 0;        ///< of the first
-  double element_depth = 0;                ///< the smaller one of the two faces [length]
+  std::array<LocalIndex, 2> nodes{};                            ///< surface nodes, lower gid first
+  std::array<Place, 2> facets{};                                ///< the two faces that meet in it, lower key first
+  std::array<GlobalIndex, 2 * cells::most_corners> elements{};  ///< nodes of the elements behind them, no_index to fill
+  std::int32_t body = 0, block = 0;                             ///< of the first
+  double element_depth = 0;                                     ///< the smaller one of the two faces [length]
   EdgeKind kind = EdgeKind::sharp;
   std::array<bool, 2> seam{};  ///< for each of its two faces: whether another one continues beyond it, see seams.hpp
   /// For each end and each face: whether the edge ends below a seam whose side is the face.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "comm/rendezvous.hpp"
+#include "core/cells.hpp"
 #include "core/sorted.hpp"
 #include "force/pressure_tangent.hpp"
 #include "force/tangent.hpp"
@@ -19,17 +20,17 @@ constexpr LocalIndex elements_at_once = 64;  // their matrices fit into the seco
 /// their keys.
 template <class Visit>
 void for_each_patch(const model::Model& model, const Visit& visit) {
-  std::array<LocalIndex, 8> nodes{};
+  std::array<LocalIndex, cells::most_corners> nodes{};
   for (const model::ElementBlock& block : model.blocks)
     for (LocalIndex e = 0; e < block.count && !material::is_rigid(block.law); ++e) {
       for (int c = 0; c < block.corners; ++c) nodes[static_cast<std::size_t>(c)] = block.corner_node(e, c);
-      visit(8 * block.gid[static_cast<std::size_t>(e)],
+      visit(cells::key_of(block.gid[static_cast<std::size_t>(e)], 0),
             std::span<const LocalIndex>(nodes.data(), static_cast<std::size_t>(block.corners)));
     }
   GlobalIndex load_number = 1;
   for (const model::PressureLoad& load : model.pressure) {
     for (const mesh::ExteriorFace& face : load.faces)
-      visit((load_number << 56) + 4 * face.key,
+      visit((load_number << 56) + cells::key_of_face_corner(face.key, 0),
             std::span<const LocalIndex>(face.nodes.data(), face.nodes[3] == no_index ? 3U : 4U));
     ++load_number;
   }
@@ -131,7 +132,7 @@ void Stiffness::add_elements(const model::Model& model, const force::Motion& mot
     if (material::is_rigid(block.law)) continue;
     const auto size = static_cast<std::size_t>(9 * block.corners * block.corners);
     std::vector<LocalIndex> elements;
-    std::array<LocalIndex, 8> nodes{};
+    std::array<LocalIndex, cells::most_corners> nodes{};
     for (LocalIndex first = 0; first < block.count; first += elements_at_once) {
       elements.resize(static_cast<std::size_t>(std::min(elements_at_once, block.count - first)));
       std::iota(elements.begin(), elements.end(), first);
@@ -149,7 +150,7 @@ void Stiffness::add_pressures(const model::Model& model, const model::State& sta
   for (const model::PressureLoad& load : model.pressure) {
     const double pressure = load.value * model::value_at(load.curve, state.time);
     for (const mesh::ExteriorFace& face : load.faces) {
-      const std::size_t n = face.nodes[3] == no_index ? 3 : 4;
+      const std::size_t n = cells::corner_count(face.nodes);
       std::array<Vec3, 4> corner;
       for (std::size_t k = 0; k < n; ++k)
         corner[k] = Eigen::Map<const Vec3>(state.nodes[static_cast<std::size_t>(face.nodes[k])].x);

@@ -10,6 +10,7 @@
 
 #include "comm/communicator.hpp"
 #include "comm/halo.hpp"
+#include "core/cells.hpp"
 #include "core/ragged.hpp"
 #include "force/trial.hpp"
 #include "implicit/data/unknowns.hpp"
@@ -42,11 +43,11 @@ class Stiffness {
   struct Slot {
     GlobalIndex key = 0;  ///< orders the sum at a node: element, then corner; faces under pressure after all elements
     GlobalIndex row = 0;
-    std::array<GlobalIndex, 8> column{};
+    std::array<GlobalIndex, cells::most_corners> column{};
     std::int32_t nodes = 0;
     LocalIndex slot = 0;  ///< on the rank that computes it
   };
-  static constexpr int slot_width = 9 * 8;
+  static constexpr int slot_width = 9 * cells::most_corners;
 
   void number_corners(const model::Model& model, const Unknowns& unknowns, std::vector<std::vector<Slot>>& to_rank);
   void lay_pattern(const model::Model& model, const Unknowns& unknowns, const Ragged<Slot>& received);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/mortar/patches.hpp"
+#include "core/cells.hpp"
 #include "core/sorted.hpp"
 
 namespace brunt::implicit {
@@ -74,7 +75,7 @@ std::vector<contact::PatchNumbers> patches_of_masters(const WholeSurfaces& whole
   for (std::size_t f = 0; f < facets.size(); ++f) {
     contact::PatchNumbers& of = patches.emplace_back();
     std::ranges::copy(rows[f], of.of_corner.begin());
-    const std::size_t corners = facets[f][3] == no_index ? 3 : 4;
+    const std::size_t corners = cells::corner_count(facets[f]);
     for (std::size_t k = 0; k < corners; ++k)
       if ((rims[f] >> k & 1) != 0 && !in_one_mirror(whole, facets[f][k], facets[f][(k + 1) % corners]))
         of.rims |= std::int64_t{1} << k;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "contact/mortar/active_set.hpp"
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "implicit/mortar/interface_forces.hpp"
 #include "implicit/mortar/mortar.hpp"
@@ -41,7 +42,7 @@ EdgeLengths edges_of(const std::vector<FacetNodes>& facets, std::span<const Vec3
   EdgeLengths edges;
   double count = 0;
   for (const FacetNodes& facet : facets) {
-    const std::size_t n = facet[3] == no_index ? 3 : 4;
+    const std::size_t n = cells::corner_count(facet);
     for (std::size_t k = 0; k < n; ++k) {
       const double length =
           (x[static_cast<std::size_t>(facet[k])] - x[static_cast<std::size_t>(facet[(k + 1) % n])]).norm();

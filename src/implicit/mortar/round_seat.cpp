@@ -7,6 +7,7 @@
 
 #include "contact/mortar/corners.hpp"
 #include "contact/mortar/segment.hpp"
+#include "core/cells.hpp"
 #include "near_facets.hpp"
 
 namespace brunt::implicit {
@@ -18,10 +19,6 @@ using contact::FacetNodes;
 /// facets is round, an edge of a box is not.
 constexpr double round = 0.8;
 
-std::size_t corners_of(const FacetNodes& facet) {
-  return facet[3] == no_index ? 3 : 4;
-}
-
 /// For each facet: mean height of the round surface through its nodes above it, positive outside: the twelfth part of
 /// edge^2 times curvature in each of two directions, with the curvature from the normals at the ends of its edges.
 std::vector<double> bulges(const std::vector<FacetNodes>& facets, std::span<const Vec3> x) {
@@ -31,11 +28,11 @@ std::vector<double> bulges(const std::vector<FacetNodes>& facets, std::span<cons
     contact::SlavePlane plane;
     normals.push_back(contact::make_slave_plane(contact::CornersOf(facets[f], x).span(), plane) ? plane.normal
                                                                                                 : Vec3(Vec3::Zero()));
-    for (std::size_t k = 0; k < corners_of(facets[f]); ++k) around[facets[f][k]].push_back(f);
+    for (std::size_t k = 0; k < cells::corner_count(facets[f]); ++k) around[facets[f][k]].push_back(f);
   }
   std::vector<double> heights;
   for (std::size_t f = 0; f < facets.size(); ++f) {
-    const std::size_t n = corners_of(facets[f]);
+    const std::size_t n = cells::corner_count(facets[f]);
     std::array<Vec3, 4> at;
     for (std::size_t k = 0; k < n; ++k) {
       at[k] = Vec3::Zero();

@@ -6,13 +6,14 @@
 
 #include "contact/mortar/corners.hpp"
 #include "contact/mortar/segment.hpp"
+#include "core/cells.hpp"
 #include "near_facets.hpp"
 
 namespace brunt::implicit {
 namespace {
 
 double mean_edge(const contact::FacetNodes& facet, std::span<const Vec3> x) {
-  const std::size_t n = facet[3] == no_index ? 3 : 4;
+  const std::size_t n = cells::corner_count(facet);
   double sum = 0;
   for (std::size_t k = 0; k < n; ++k)
     sum += (x[static_cast<std::size_t>(facet[k])] - x[static_cast<std::size_t>(facet[(k + 1) % n])]).norm();

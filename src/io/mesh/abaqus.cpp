@@ -13,6 +13,7 @@
 
 #include "abaqus_numbers.hpp"
 #include "abaqus_parts.hpp"
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "core/excerpt.hpp"
 #include "left_out.hpp"
@@ -43,7 +44,7 @@ std::span<const FaceCorners> sides_of(int corners) {
 }
 
 Shape shape_of(const AbaqusElement& element) {
-  return element.corners == 4 ? Shape::tet4 : Shape::hex8;
+  return cells::shape_with(element.corners);
 }
 
 /// An instance in the making: where its nodes and elements went.
@@ -139,7 +140,7 @@ class MeshMaker {
       Block& block = mesh_.blocks[static_cast<std::size_t>(found->second)];
       placed.element.emplace_back(found->second, block.count());
       const auto corners = hex_corners(element.corners);
-      for (int k = 0; k < nodes_per_element(block.shape); ++k)
+      for (int k = 0; k < mesh::nodes_per_element(block.shape); ++k)
         block.nodes.push_back(placed.first_node +
                               element.nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]);
       block.element_id.push_back(alone ? element.number : ++elements_);
@@ -276,7 +277,7 @@ class MeshMaker {
     }
     for (const Side& side : sides) {
       const Block& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
-      for (const LocalIndex node : face_nodes(block.shape, block.element(side.element), side.face))
+      for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(side.element), side.face))
         if (node != no_index) nodes.insert(node);
     }
     if (!sides.empty() || foreign_sides_.contains(name)) keep(mesh_.side_sets, name, sides, surface.line);
@@ -312,9 +313,9 @@ class MeshMaker {
         wanted[k] = placed.first_node + element.nodes[static_cast<std::size_t>(corners[k] - 1)];
       std::ranges::sort(wanted);
     }
-    for (int f = 0; f < faces_per_element(block.shape); ++f) {
+    for (int f = 0; f < mesh::faces_per_element(block.shape); ++f) {
       const Side side{b, position, f};
-      auto nodes = face_nodes(block.shape, block.element(position), f);
+      auto nodes = mesh::face_nodes(block.shape, block.element(position), f);
       std::ranges::sort(nodes);
       if (piece.face > 0 ? nodes == wanted : is_exterior(side)) sides.insert(side);
     }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "core/excerpt.hpp"
 #include "core/letter_case.hpp"
@@ -36,7 +37,8 @@ class ExodusFile {
     if (unreadable) fail("cannot read the file (" + unreadable.message() + "); expected a readable file");
     const std::string fault = netcdf_layout_fault(path);
     if (!fault.empty()) fail(fault);
-    most_ = std::min<std::int64_t>(static_cast<std::int64_t>(size), std::numeric_limits<LocalIndex>::max() / 8);
+    most_ = std::min<std::int64_t>(static_cast<std::int64_t>(size),
+                                   std::numeric_limits<LocalIndex>::max() / cells::most_corners);
     ex_opts(0);  // the library's own messages would go to the terminal
     int our_word = 8, file_word = 0;
     float version = 0;
@@ -80,35 +82,38 @@ class ExodusFile {
   int id_ = -1;
 };
 
-/// What the file's elements are called in Exodus, by first letters and number of nodes.
+/// A kind of elements in a file, by the first letters of its name and its number of nodes, and its shape in the mesh.
 struct Kind {
+  std::string_view start;
+  int nodes, faces;
   Shape shape;
-  int nodes;
 };
+constexpr std::array<Kind, 4> kinds{{{"HEX", 8, 6, Shape::hex8},
+                                     {"TET", 4, 4, Shape::tet4},
+                                     {"WEDGE", 6, 5, Shape::hex8},
+                                     {"PYRAMID", 5, 5, Shape::hex8}}};
 
-bool known_kind(const std::string& written, std::int64_t nodes, Kind& kind) {
+/// Null if it is none of them.
+const Kind* kind_of(const std::string& written, std::int64_t nodes) {
   const std::string type = upper_case(written);
-  const auto is = [&](const char* start, int count) { return type.starts_with(start) && nodes == count; };
-  if (is("HEX", 8)) return kind = {Shape::hex8, 8}, true;
-  if (is("TET", 4)) return kind = {Shape::tet4, 4}, true;
-  if (is("WEDGE", 6)) return kind = {Shape::hex8, 6}, true;
-  if (is("PYRAMID", 5)) return kind = {Shape::hex8, 5}, true;
-  return false;
+  const auto* const found = std::ranges::find_if(
+      kinds, [&](const Kind& kind) { return type.starts_with(kind.start) && nodes == kind.nodes; });
+  return found == kinds.end() ? nullptr : found;
 }
 
-/// One block and, for side sets, how many nodes its elements have in the file; `foreign` holds a block of elements that
-/// are not read.
+/// One block and, for side sets, the kind of its elements in the file; `foreign` holds a block of elements that are not
+/// read.
 struct BlockRead {
   Block block;
-  int nodes = 0;
+  const Kind* kind = nullptr;
   std::optional<ForeignBlock> foreign{};
 };
 
-/// Where the file's elements are: a block of the mesh (no_index: a foreign one), how many, of how many nodes.
+/// Where the file's elements are: a block of the mesh (no_index: a foreign one), how many, of what kind.
 struct FileBlock {
   LocalIndex block = no_index;
   std::int64_t count = 0;
-  int nodes = 0;
+  const Kind* kind = nullptr;
 };
 
 LocalIndex zero_based(std::int64_t number) {
@@ -129,8 +134,8 @@ BlockRead read_block(const ExodusFile& file, std::int64_t id) {
     read.foreign = {.name = read.block.name, .id = id, .type = header.topology, .passed = true};
     return read;
   }
-  Kind kind{};
-  if (!known_kind(header.topology, header.num_nodes_per_entry, kind)) {
+  const Kind* const kind = kind_of(header.topology, header.num_nodes_per_entry);
+  if (kind == nullptr) {
     const std::string shown = read.block.name.empty() ? "" : " (" + excerpt(read.block.name) + ")";
     read.foreign = {
         .name = read.block.name,
@@ -141,19 +146,19 @@ BlockRead read_block(const ExodusFile& file, std::int64_t id) {
                              file.path(), id, shown, excerpt(header.topology), header.num_nodes_per_entry)};
     return read;
   }
-  read.block.shape = kind.shape;
-  read.nodes = kind.nodes;
-  Integers corners(count * static_cast<std::size_t>(kind.nodes));
+  read.block.shape = kind->shape;
+  read.kind = kind;
+  Integers corners(count * static_cast<std::size_t>(kind->nodes));
   file.plausible(static_cast<std::int64_t>(corners.size()), fmt::format("element corners in block {}", id));
   file.succeed(ex_get_conn(file.id(), EX_ELEM_BLOCK, id, corners.data(), nullptr, nullptr),
                fmt::format("elements of block {}", id));
-  const auto order = hex_corners(kind.nodes);
-  const auto ours = static_cast<std::size_t>(nodes_per_element(kind.shape));
+  const auto order = hex_corners(kind->nodes);
+  const auto ours = static_cast<std::size_t>(mesh::nodes_per_element(kind->shape));
   read.block.nodes.reserve(count * ours);
   for (std::size_t e = 0; e < count; ++e)
     for (std::size_t k = 0; k < ours; ++k)
       read.block.nodes.push_back(
-          zero_based(corners[e * static_cast<std::size_t>(kind.nodes) + static_cast<std::size_t>(order[k])]));
+          zero_based(corners[e * static_cast<std::size_t>(kind->nodes) + static_cast<std::size_t>(order[k])]));
   return read;
 }
 
@@ -186,10 +191,10 @@ std::vector<FileBlock> read_blocks(const ExodusFile& file, const ex_init_params&
   for (const std::int64_t id : file.ids(EX_ELEM_BLOCK, sizes.num_elem_blk, "element blocks")) {
     BlockRead read = read_block(file, id);
     if (read.foreign) {
-      blocks.push_back({no_index, read.foreign->count, 0});
+      blocks.push_back({no_index, read.foreign->count, nullptr});
       content.foreign.push_back(std::move(*read.foreign));
     } else {
-      blocks.push_back({static_cast<LocalIndex>(content.mesh.blocks.size()), read.block.count(), read.nodes});
+      blocks.push_back({static_cast<LocalIndex>(content.mesh.blocks.size()), read.block.count(), read.kind});
       content.mesh.blocks.push_back(std::move(read.block));
     }
     total += blocks.back().count;
@@ -235,10 +240,11 @@ void read_node_sets(const ExodusFile& file, const ex_init_params& sizes, Mesh& m
 }
 
 /// Side numbers of hexahedra, tetrahedra and pyramids run as ours; a wedge has no side where its hexahedron's third is.
-int our_face(std::int64_t side, int nodes) {
-  if (side < 1 || side > (nodes == 8 ? 6 : nodes == 4 ? 4 : 5)) return -1;
+int our_face(std::int64_t side, const Kind& kind) {
+  if (side < 1 || side > kind.faces) return -1;
   const int face = static_cast<int>(side - 1);
-  return nodes == 6 && face >= 2 ? face + 1 : face;
+  const bool is_wedge = kind.nodes == 6;
+  return is_wedge && face >= 2 ? face + 1 : face;
 }
 
 void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const std::vector<FileBlock>& blocks,
@@ -264,7 +270,7 @@ void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const s
         ++content.foreign_sides[name];
       else
         set.push_back(
-            {blocks[at].block, static_cast<LocalIndex>(element - first[at]), our_face(sides[i], blocks[at].nodes)});
+            {blocks[at].block, static_cast<LocalIndex>(element - first[at]), our_face(sides[i], *blocks[at].kind)});
     }
   }
 }

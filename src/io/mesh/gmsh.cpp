@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "gmsh_sections.hpp"
 #include "left_out.hpp"
@@ -35,7 +36,7 @@ struct VolumeKey {
 
 VolumeKey volume_of(const GmshElement& element) {
   const bool grouped = element.physical != 0;
-  return {grouped, grouped ? element.physical : element.entity, element.corners == 4 ? Shape::tet4 : Shape::hex8};
+  return {grouped, grouped ? element.physical : element.entity, cells::shape_with(element.corners)};
 }
 
 std::string group_name(const GmshFile& file, int dimension, std::int64_t number) {
@@ -72,7 +73,7 @@ void add_blocks(const GmshFile& file, Mesh& mesh) {
     if (element.dimension != 3 || element.corners == 0) continue;
     Block& block = mesh.blocks[position[volume_of(element)]];
     const auto corners = hex_corners(element.corners);
-    for (int k = 0; k < nodes_per_element(block.shape); ++k)
+    for (int k = 0; k < mesh::nodes_per_element(block.shape); ++k)
       block.nodes.push_back(element.nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]);
     block.element_id.push_back(element.number);
   }
@@ -89,7 +90,7 @@ FaceKey surface_nodes(const GmshElement& element) {
 
 /// Does b run round the face in the same sense as a? Both have the same nodes.
 bool same_sense(const FaceKey& a, const FaceKey& b) {
-  const std::size_t count = a[3] == no_index ? 3 : 4;
+  const std::size_t count = cells::corner_count(a);
   const auto start = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
   return b[(start + 1) % count] == a[1];
 }
@@ -108,7 +109,7 @@ class SideFinder {
     for (std::size_t b = 0; !sides_.empty() && b < mesh.blocks.size(); ++b) {
       const Block& block = mesh.blocks[b];
       for (LocalIndex e = 0; e < block.count(); ++e)
-        for (int f = 0; f < faces_per_element(block.shape); ++f) {
+        for (int f = 0; f < mesh::faces_per_element(block.shape); ++f) {
           const FaceKey nodes = mesh::face_nodes(block.shape, block.element(e), f);
           const auto found = sides_.find(sorted(nodes));
           if (found != sides_.end()) found->second.push_back({nodes, {static_cast<LocalIndex>(b), e, f}});

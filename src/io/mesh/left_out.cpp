@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/cells.hpp"
 #include "core/error.hpp"
 #include "core/excerpt.hpp"
 #include "mesh/canonical.hpp"
@@ -131,7 +132,7 @@ class Leaver {
       Block& block = mesh.blocks[b];
       if (drop_block_[b]) {
         mesh.left_out.push_back(
-            {block.name, block.id, block.shape == mesh::Shape::hex8 ? "hex8" : "tet4", block.count(), by_ignore});
+            {block.name, block.id, std::string(cells::of(block.shape).name), block.count(), by_ignore});
       } else {
         place[b] = static_cast<LocalIndex>(kept.size());
         kept.push_back(std::move(block));

@@ -62,7 +62,7 @@ void write_integers(Hdf5File& file, const std::string& table, GlobalIndex offset
 // The nodes of each element, led by the type of the cell where shapes are mixed.
 void write_cells(Hdf5File& file, GlobalIndex offset, const comm::BlockRedistribution& redistribution,
                  const StateBlock& block) {
-  const auto nodes = static_cast<std::size_t>(nodes_per_element(block.shape));
+  const auto nodes = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
   const double type = block.shape == mesh::Shape::hex8 ? xdmf_hexahedron : xdmf_tetrahedron;
   write_integers<LocalIndex>(file, "/mesh/connectivity", offset, redistribution, block.element.size(),
                              static_cast<int>(nodes + 1), [&](std::size_t i, std::size_t c) {
@@ -82,7 +82,7 @@ XdmfCells cells_of(const StateMesh& mesh, const std::vector<GlobalIndex>& counts
   if (!mesh.blocks.empty()) result.shape = mesh.blocks.front().shape;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     result.mixed = result.mixed || mesh.blocks[b].shape != result.shape;
-    result.stream_length += counts[b] * (nodes_per_element(mesh.blocks[b].shape) + 1);
+    result.stream_length += counts[b] * (mesh::nodes_per_element(mesh.blocks[b].shape) + 1);
   }
   return result;
 }
@@ -114,7 +114,7 @@ std::string state_topology(const comm::Communicator& ranks, const StateMesh& mes
 void StateFile::write_connectivity(StateMesh& mesh) {
   const std::vector<GlobalIndex> counts = element_counts(ranks_, mesh);
   const XdmfCells kind = cells_of(mesh, counts);
-  const int one_width = nodes_per_element(kind.shape);
+  const int one_width = mesh::nodes_per_element(kind.shape);
   file_->create_integers("/mesh/connectivity", kind.mixed ? kind.stream_length : global_elements_,
                          kind.mixed ? 1 : one_width);
   if (!kind.mixed) {  // all blocks at once
@@ -139,14 +139,14 @@ void StateFile::write_connectivity(StateMesh& mesh) {
       std::vector<GlobalIndex> in_block = block.element;
       for (GlobalIndex& element : in_block) element -= first;
       write_cells(*file_, offset, comm::BlockRedistribution(ranks_, counts[b], in_block), block);
-      offset += counts[b] * (nodes_per_element(block.shape) + 1);
+      offset += counts[b] * (mesh::nodes_per_element(block.shape) + 1);
     }
     const std::string group = fmt::format("/mesh/block_{}", b);
     file_->create_group(group);
     file_->set_attribute(group, "name", block.name);
     if (!block.part.empty()) file_->set_attribute(group, "part", block.part);
     file_->set_attribute(group, "id", block.id);
-    file_->set_attribute(group, "nodes_per_element", GlobalIndex{nodes_per_element(block.shape)});
+    file_->set_attribute(group, "nodes_per_element", GlobalIndex{mesh::nodes_per_element(block.shape)});
     file_->set_attribute(group, "first", first);
     file_->set_attribute(group, "count", counts[b]);
     first += counts[b];

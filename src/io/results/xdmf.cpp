@@ -34,7 +34,7 @@ std::string attribute(const StateRecord& record, const StateRecord::Table& table
 }  // namespace
 
 std::string xdmf_topology(const XdmfCells& cells, GlobalIndex elements) {
-  const int width = nodes_per_element(cells.shape);
+  const int width = mesh::nodes_per_element(cells.shape);
   const std::string dimensions =
       cells.mixed ? fmt::format("{}", cells.stream_length) : fmt::format("{} {}", elements, width);
   const char* one_shape = cells.shape == mesh::Shape::hex8 ? "Hexahedron" : "Tetrahedron";

@@ -51,6 +51,7 @@ model::ElementBlock build_block(const Part& part, const Input& input, const mesh
   if (block.kind != ElementKind::hex8) block.hourglass = {HourglassKind::none, 0};
   block.bulk = part.bulk;
   block.erosion = part.erosion;
+  block.shape = source.shape;
   block.corners = mesh::nodes_per_element(source.shape);
   block.count = static_cast<LocalIndex>(source.gid.size());
   block.gid = source.gid;

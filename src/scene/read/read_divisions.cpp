@@ -97,9 +97,10 @@ void read_bias(const Key& key, GivenBody& body) {
 
 void judge_countable(const Key& map, double nodes, double elements) {
   constexpr double most = std::numeric_limits<LocalIndex>::max();
-  if (nodes <= most && 8 * elements <= most) return;
+  constexpr int corners = mesh::nodes_per_element(mesh::Shape::hex8);  // of all elements in one array
+  if (nodes <= most && corners * elements <= most) return;
   fault(at(map, "elements"),
-        fmt::format("out of range: {:.3g} elements in one body; expected at most {:.3g}", elements, most / 8));
+        fmt::format("out of range: {:.3g} elements in one body; expected at most {:.3g}", elements, most / corners));
 }
 
 }  // namespace brunt::scene

@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <set>
+#include <vector>
 
 #include "core/types.hpp"
 
@@ -70,4 +72,82 @@ TEST_CASE("cells: a tetrahedron's faces hold its edges, each twice, and look out
     for (std::size_t i = 0; i < 3; ++i) edges.insert({face[i], face[(i + 1) % 3]});
   }
   for (const auto& [a, b] : cells::tet_edges) CHECK(edges.count({a, b}) == 2);
+}
+
+namespace {
+
+/// A reference element: the parent cube, or the tetrahedron between the axes.
+std::vector<Vec3> reference(cells::Shape shape) {
+  if (shape == cells::Shape::tet4) return {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  std::vector<Vec3> corners;
+  for (int c = 0; c < 8; ++c) corners.push_back(corner(c));
+  return corners;
+}
+
+std::vector<int> corners_of(const cells::Face& face) {
+  std::vector<int> corners(face.begin(), face.end());
+  std::erase(corners, -1);
+  return corners;
+}
+
+constexpr std::array shapes{cells::Shape::hex8, cells::Shape::tet4};
+
+}  // namespace
+
+TEST_CASE("cells: in the table of shapes each edge belongs to two faces, and Euler's formula holds") {
+  CHECK(cells::table.size() == shapes.size());
+  for (const cells::Shape shape : shapes) {
+    const cells::Cell& cell = cells::of(shape);
+    CAPTURE(cell.name);
+    CHECK(cell.dimension == 3);
+    CHECK(cell.corners == static_cast<int>(reference(shape).size()));
+    CHECK(cell.corners - static_cast<int>(cell.edges.size()) + static_cast<int>(cell.faces.size()) == 2);
+    std::multiset<std::set<int>> sides;
+    std::set<int> met;
+    for (const cells::Face& face : cell.faces) {
+      const std::vector<int> corners = corners_of(face);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        sides.insert({corners[i], corners[(i + 1) % corners.size()]});
+        met.insert(corners[i]);
+      }
+    }
+    CHECK(sides.size() == 2 * cell.edges.size());
+    for (const auto& [a, b] : cell.edges) CHECK(sides.count({a, b}) == 2);
+    CHECK(met.size() == static_cast<std::size_t>(cell.corners));
+  }
+}
+
+TEST_CASE("cells: in the table of shapes normals of faces point outwards, and tetrahedra fill the element") {
+  for (const cells::Shape shape : shapes) {
+    const cells::Cell& cell = cells::of(shape);
+    CAPTURE(cell.name);
+    const std::vector<Vec3> x = reference(shape);
+    const auto at = [&](int c) -> const Vec3& { return x[static_cast<std::size_t>(c)]; };
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& point : x) centre += point / cell.corners;
+    double by_faces = 0, by_tetrahedra = 0;
+    for (const cells::Face& face : cell.faces) {
+      const std::vector<int> c = corners_of(face);
+      for (std::size_t i = 2; i < c.size(); ++i) {
+        const double six = triple(at(c[0]) - centre, at(c[i - 1]) - centre, at(c[i]) - centre);
+        CHECK(six > 0);
+        by_faces += six / 6;
+      }
+    }
+    for (const auto& [a, b, c, d] : cell.tetrahedra)
+      by_tetrahedra += triple(at(b) - at(a), at(c) - at(a), at(d) - at(a)) / 6;
+    CHECK(by_tetrahedra == Approx(by_faces));
+  }
+}
+
+TEST_CASE("cells: shapes by number of corners, keys of corners and faces") {
+  for (const cells::Shape shape : shapes) CHECK(cells::shape_with(cells::of(shape).corners) == shape);
+  for (const int collapsed : {5, 6}) CHECK(cells::shape_with(collapsed) == cells::Shape::hex8);
+  CHECK(cells::corner_count(std::array<LocalIndex, 4>{1, 2, 3, no_index}) == 3);
+  CHECK(cells::corner_count(std::array<LocalIndex, 4>{1, 2, 3, 4}) == 4);
+  // checkpoints contain such keys
+  CHECK(cells::key_of(5, 7) == 47);
+  CHECK(cells::element_of_key(47) == 5);
+  CHECK(cells::element_of_key(cells::key_of(6, 0)) == 6);
+  CHECK(cells::key_of_face_corner(47, 3) == 191);
 }

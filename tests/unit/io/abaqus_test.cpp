@@ -57,7 +57,7 @@ ends, 24
 /// Area vector of a side set's faces, one by one.
 Vec3 area_of(const mesh::Mesh& mesh, const mesh::Side& side) {
   const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  const auto nodes = face_nodes(block.shape, block.element(side.element), side.face);
+  const auto nodes = mesh::face_nodes(block.shape, block.element(side.element), side.face);
   const auto at = [&](std::size_t k) { return mesh.coordinates[static_cast<std::size_t>(nodes[k])]; };
   Vec3 area = 0.5 * (at(1) - at(0)).cross(at(2) - at(0));
   if (nodes[3] != no_index) area += 0.5 * (at(2) - at(0)).cross(at(3) - at(0));

@@ -32,8 +32,8 @@ RowsToSpare to_spare(FewFaces& scene, const Vec3& position, const std::vector<Ve
   const std::vector<FaceReach> reach(scene.faces.size());
   std::vector<CoincidentCandidate> corners;
   for (std::size_t i = 0; i + 1 < scene.motion.size(); ++i) corners.push_back({static_cast<LocalIndex>(i), 0});
-  return rows_to_spare({scene.faces, reach, scene.motion, scene.dt}, {node, facets, facet_normal}, near, corners,
-                       distance, standard_tolerances);
+  return rows_to_spare({scene.faces, reach, scene.motion, scene.dt, standard_tolerances}, {node, facets, facet_normal},
+                       near, corners, distance);
 }
 
 /// Does one row hold both, that of the first pass?

@@ -45,7 +45,7 @@ struct CubeAndNode {
     candidates.slave_facets.close_row();
     std::vector<Row> rows;
     DetectionScratch scratch;
-    detect_faces(candidates, faces, gid, motion, facets, dt, settings, {}, scratch, rows);
+    detect_faces({gid, motion, dt, settings}, {candidates, faces, facets, {}}, scratch, rows);
     return rows;
   }
 };
@@ -223,7 +223,7 @@ TEST_CASE("rigid walls") {
   settings.wall_size = 1;
   std::vector<Row> rows;
 
-  detect_walls(candidates, walls, gid, motion, 1e-3, settings, rows);
+  detect_walls({gid, motion, 1e-3, settings}, candidates, walls, rows);
   RowSortScratch scratch;
   sort_rows(rows, scratch);
   REQUIRE(rows.size() == 2);
@@ -238,7 +238,7 @@ TEST_CASE("rigid walls") {
   walls[0].bilateral = true;
   candidates[0].held = true;
   motion[0].position.z() = 10;  // far, but it belongs to the plane
-  detect_walls(candidates, walls, gid, motion, 1e-3, settings, rows);
+  detect_walls({gid, motion, 1e-3, settings}, candidates, walls, rows);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].cone == Cone::free);
   CHECK(rows[0].required == Approx(2 - 1e-3 / 1e-3));
@@ -247,7 +247,7 @@ TEST_CASE("rigid walls") {
   rows.clear();
   motion[1].position.z() = 0.3;
   candidates.erase(candidates.begin());
-  detect_walls(candidates, walls, gid, motion, 1e-3, settings, rows);
+  detect_walls({gid, motion, 1e-3, settings}, candidates, walls, rows);
   CHECK(rows.empty());
 }
 

@@ -42,7 +42,7 @@ struct TwoEdges {
   }
   std::vector<Row> rows() {
     std::vector<Row> found;
-    detect_edges(candidates, gid, motion, facets, holds, reference, dt, settings, found);
+    detect_edges({gid, motion, dt, settings}, {candidates, facets, holds, reference}, found);
     return found;
   }
 };
@@ -247,7 +247,7 @@ struct UprightAtLedge {
   std::vector<Row> rows() {
     candidates.near.close_row();
     std::vector<Row> found;
-    detect_edges(candidates, gid, motion, facets, holds, {}, 1e-3, settings, found);
+    detect_edges({gid, motion, 1e-3, settings}, {candidates, facets, holds}, found);
     return found;
   }
 };

@@ -41,7 +41,7 @@ struct FewFaces {
     std::vector<contact::Row> found;
     contact::DetectionScratch scratch;
     if (std::ranges::any_of(faces, &contact::MasterFace::two_sided)) candidates.half_thickness = {slave_thickness / 2};
-    detect_faces(candidates, faces, gid, motion, facets, dt, settings, history, scratch, found);
+    detect_faces({gid, motion, dt, settings}, {candidates, faces, facets, history}, scratch, found);
     history = scratch.sides;
     return found;
   }

@@ -39,7 +39,7 @@ struct RimOnPlate {
   }
   std::vector<Row> rows() {
     std::vector<Row> found;
-    detect_edges(candidates, gid, motion, facets, holds, {}, dt, settings, found);
+    detect_edges({gid, motion, dt, settings}, {candidates, facets, holds}, found);
     return found;
   }
 };
