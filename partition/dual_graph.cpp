@@ -57,7 +57,7 @@ Ragged<LocalIndex> dual_graph(const mesh::Mesh& mesh) {
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   graph.values.resize(static_cast<std::size_t>(offsets.back()));
   const auto add = [&](LocalIndex from, LocalIndex to) {
-    graph.values[static_cast<std::size_t>(offsets[static_cast<std::size_t>(from) + 1]++)] = to;
+    nth(graph.values, offsets[static_cast<std::size_t>(from) + 1]++) = to;
   };
   for (const Edge& edge : edges) {
     add(edge[0], edge[1]);

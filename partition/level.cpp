@@ -68,7 +68,7 @@ class Levelling {
 
 std::vector<Rank> Levelling::above(double load) const {
   std::vector<Rank> found;
-  const auto cost = [&](Rank p) { return cost_[static_cast<std::size_t>(p)]; };
+  const auto cost = [&](Rank p) { return nth(cost_, p); };
   for (Rank p = 0; p < static_cast<Rank>(cost_.size()); ++p)
     if (cost(p) > load * mean_cost_) found.push_back(p);
   std::ranges::stable_sort(found, std::greater{}, cost);
@@ -77,20 +77,19 @@ std::vector<Rank> Levelling::above(double load) const {
 
 bool Levelling::admits(Rank to, LocalIndex element, double most_cost) const {
   const auto e = static_cast<std::size_t>(element), there = static_cast<std::size_t>(to);
-  return cost_[there] + weights_.cost[e] < std::max(cost_[static_cast<std::size_t>(part_[e])], most_cost) &&
+  return cost_[there] + weights_.cost[e] < std::max(nth(cost_, part_[e]), most_cost) &&
          faces_[there] + weights_.contact_faces[e] <= most_faces_;
 }
 
 std::optional<Move> Levelling::best_move(LocalIndex element, double most_cost) const {
-  const Rank own = part_[static_cast<std::size_t>(element)];
+  const Rank own = nth(part_, element);
   const std::span<const LocalIndex> neighbours = graph_.row(element);
   const auto joined = [&](Rank p) {
-    return static_cast<int>(
-        std::ranges::count_if(neighbours, [&](LocalIndex n) { return part_[static_cast<std::size_t>(n)] == p; }));
+    return static_cast<int>(std::ranges::count_if(neighbours, [&](LocalIndex n) { return nth(part_, n) == p; }));
   };
   std::optional<Move> best;
   for (const LocalIndex n : neighbours) {
-    const Rank to = part_[static_cast<std::size_t>(n)];
+    const Rank to = nth(part_, n);
     if (to == own || !admits(to, element, most_cost)) continue;
     const Move move{joined(to) - joined(own), element, to};
     if (!best || *best < move) best = move;
@@ -123,41 +122,41 @@ bool Levelling::smooth(double load) {
   while (!moves.empty() && done.size() <= kept + patience) {
     const Move move = moves.top();
     moves.pop();
-    if (moved[static_cast<std::size_t>(move.element)]) continue;
+    if (nth(moved, move.element)) continue;
     const auto now = best_move(move.element, load * mean_cost_);
     if (!now) continue;
     if (*now < move) {
       moves.push(*now);
       continue;
     }
-    done.push_back({0, move.element, part_[static_cast<std::size_t>(move.element)]});
+    done.push_back({0, move.element, nth(part_, move.element)});
     carry_out(*now);
-    moved[static_cast<std::size_t>(move.element)] = true;
+    nth(moved, move.element) = true;
     gained += now->gain;
     if (gained > most) {
       most = gained;
       kept = done.size();
     }
     for (const LocalIndex n : graph_.row(move.element))
-      if (!moved[static_cast<std::size_t>(n)]) propose(n);
+      if (!nth(moved, n)) propose(n);
   }
   for (; done.size() > kept; done.pop_back()) carry_out(done.back());
   return most > 0;
 }
 
 bool Levelling::relieve(Rank from) {
-  std::vector<LocalIndex>& own = members_[static_cast<std::size_t>(from)];
-  std::erase_if(own, [&](LocalIndex e) { return part_[static_cast<std::size_t>(e)] != from; });
+  std::vector<LocalIndex>& own = nth(members_, from);
+  std::erase_if(own, [&](LocalIndex e) { return nth(part_, e) != from; });
   std::priority_queue<Move> moves;
   const auto propose = [&](LocalIndex e) {
     if (const auto move = best_move(e)) moves.push(*move);
   };
   std::ranges::for_each(own, propose);
   bool any = false;
-  while (!moves.empty() && cost_[static_cast<std::size_t>(from)] > mean_cost_) {
+  while (!moves.empty() && nth(cost_, from) > mean_cost_) {
     const Move move = moves.top();
     moves.pop();
-    if (part_[static_cast<std::size_t>(move.element)] != from) continue;
+    if (nth(part_, move.element) != from) continue;
     const auto now = best_move(move.element);
     if (!now) continue;
     if (*now < move) {  // its neighbours have moved, or that part is full
@@ -167,7 +166,7 @@ bool Levelling::relieve(Rank from) {
     carry_out(*now);
     any = true;
     for (const LocalIndex n : graph_.row(move.element))
-      if (part_[static_cast<std::size_t>(n)] == from) propose(n);
+      if (nth(part_, n) == from) propose(n);
   }
   return any;
 }

@@ -15,7 +15,7 @@ namespace {
 std::vector<double> shares(std::span<const double> seconds, std::span<const Rank> rank,
                            std::span<const double> amount) {
   std::vector<double> whole(seconds.size(), 0.0), share(rank.size(), 0.0);
-  for (std::size_t e = 0; e < rank.size(); ++e) whole[static_cast<std::size_t>(rank[e])] += amount[e];
+  for (std::size_t e = 0; e < rank.size(); ++e) nth(whole, rank[e]) += amount[e];
   for (std::size_t e = 0; e < rank.size(); ++e) {
     const auto r = static_cast<std::size_t>(rank[e]);
     if (whole[r] > 0) share[e] = seconds[r] * amount[e] / whole[r];

@@ -18,8 +18,7 @@ namespace {
 template <class T>
 double imbalance(const std::vector<T>& weight, std::span<const Rank> part, int parts) {
   std::vector<double> load(static_cast<std::size_t>(parts), 0.0);
-  for (std::size_t e = 0; e < weight.size(); ++e)
-    load[static_cast<std::size_t>(part[e])] += static_cast<double>(weight[e]);
+  for (std::size_t e = 0; e < weight.size(); ++e) nth(load, part[e]) += static_cast<double>(weight[e]);
   const double total = std::accumulate(load.begin(), load.end(), 0.0);
   return total > 0.0 ? *std::ranges::max_element(load) * parts / total : 1.0;
 }
@@ -28,18 +27,17 @@ GlobalIndex cut_edges(const Ragged<LocalIndex>& graph, std::span<const Rank> par
   GlobalIndex cut = 0;
   for (LocalIndex e = 0; e < graph.rows(); ++e)
     for (const LocalIndex other : graph.row(e))
-      if (other > e && part[static_cast<std::size_t>(other)] != part[static_cast<std::size_t>(e)]) ++cut;
+      if (other > e && nth(part, other) != nth(part, e)) ++cut;
   return cut;
 }
 
 GlobalIndex travelling_forces(const mesh::Mesh& mesh, const Sharing& sharing) {
   std::vector<GlobalIndex> others(mesh.coordinates.size(), 0);  // number of other holders of a node
   for (LocalIndex i = 0; i < sharing.holders.rows(); ++i)
-    others[static_cast<std::size_t>(sharing.shared[static_cast<std::size_t>(i)])] =
-        static_cast<GlobalIndex>(sharing.holders.row(i).size()) - 1;
+    nth(others, nth(sharing.shared, i)) = static_cast<GlobalIndex>(sharing.holders.row(i).size()) - 1;
   GlobalIndex forces = 0;
   for_each_element(mesh, [&](std::span<const LocalIndex> nodes, mesh::Shape) {
-    for (const LocalIndex node : nodes) forces += others[static_cast<std::size_t>(node)];
+    for (const LocalIndex node : nodes) forces += nth(others, node);
   });
   return forces;
 }
@@ -51,7 +49,7 @@ std::vector<int> neighbours_of_parts(const Sharing& sharing, int parts) {
       for (const Rank b : sharing.holders.row(i))
         if (a != b) pairs.emplace(a, b);
   std::vector<int> neighbours(static_cast<std::size_t>(parts), 0);
-  for (const auto& [a, b] : pairs) ++neighbours[static_cast<std::size_t>(a)];
+  for (const auto& [a, b] : pairs) ++nth(neighbours, a);
   return neighbours;
 }
 

@@ -17,7 +17,7 @@ Sharing share_nodes(const mesh::Mesh& mesh, std::span<const Rank> part) {
   for_each_element(mesh, [&](std::span<const LocalIndex> nodes, mesh::Shape) {
     const Rank rank = part[element++];
     for (const LocalIndex node : nodes) {
-      Rank& owner = sharing.owner[static_cast<std::size_t>(node)];
+      Rank& owner = nth(sharing.owner, node);
       if (owner == nobody) owner = rank;
       if (owner == rank) continue;
       holder.emplace_back(node, owner);

@@ -153,7 +153,7 @@ std::vector<idx_t> metis_parts(MetisGraph graph, idx_t parts) {
 
 bool every_part_has_elements(const std::vector<idx_t>& part, int parts) {
   std::vector<bool> used(static_cast<std::size_t>(parts), false);
-  for (const idx_t p : part) used[static_cast<std::size_t>(p)] = true;
+  for (const idx_t p : part) nth(used, p) = true;
   return std::ranges::find(used, false) == used.end();
 }
 
@@ -180,8 +180,8 @@ Weights weigh(const mesh::Mesh& mesh, std::span<const mesh::Side> exterior, std:
   weights.contact_faces.assign(weights.cost.size(), 0);
   const std::vector<LocalIndex> first = first_of_block(mesh);
   for (const mesh::Side& side : exterior) {
-    const LocalIndex element = first[static_cast<std::size_t>(side.block)] + side.element;
-    ++weights.contact_faces[static_cast<std::size_t>(element)];
+    const LocalIndex element = nth(first, side.block) + side.element;
+    ++nth(weights.contact_faces, element);
   }
   return weights;
 }
@@ -195,8 +195,7 @@ std::vector<Rank> split(const Ragged<LocalIndex>& graph, const Weights& weights,
   if (!every_part_has_elements(part, parts)) return contiguous(elements, parts);
   std::vector<Rank> levelled_part;
   levelled_part.reserve(static_cast<std::size_t>(elements));
-  for (LocalIndex e = 0; e < elements; ++e)
-    levelled_part.push_back(static_cast<Rank>(part[static_cast<std::size_t>(e / size)]));
+  for (LocalIndex e = 0; e < elements; ++e) levelled_part.push_back(static_cast<Rank>(nth(part, e / size)));
   if (size > 1) smooth(graph, weights, parts, smoothed, levelled_part);
   level(graph, weights, parts, levelled, levelled_part);
   return levelled_part;

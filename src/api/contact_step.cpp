@@ -104,12 +104,11 @@ std::vector<Vec3> ContactStep::Data::impulses() const {
     const auto node = static_cast<std::size_t>(mesh.shared[s]);
     if (mesh.owner[node] != ranks.rank()) continue;
     for (const Rank rank : mesh.sharers.row(static_cast<LocalIndex>(s)))
-      outgoing[static_cast<std::size_t>(rank)].push_back(
-          {mesh.node_gid[node], {impulse[node][0], impulse[node][1], impulse[node][2]}});
+      nth(outgoing, rank).push_back({mesh.node_gid[node], {impulse[node][0], impulse[node][1], impulse[node][2]}});
   }
   for (const SentImpulse& sent : comm::exchange(ranks, outgoing).values) {
     const auto node = std::ranges::lower_bound(mesh.node_gid, sent.gid) - mesh.node_gid.begin();
-    impulse[static_cast<std::size_t>(node)] = Vec3(sent.impulse.data());
+    nth(impulse, node) = Vec3(sent.impulse.data());
   }
   return impulse;
 }

@@ -107,7 +107,7 @@ std::vector<Element> elements_of(const ContactMesh& given, Rank rank) {
   for (std::size_t e = 0; e < given.element_number.size(); ++e) {
     Element element{given.element_number[e], given.part[e], rank, shape_at(given, e), {}};
     for (std::size_t c = 0; c < corners_of(element.shape); ++c)
-      element.corner[c] = given.node_number[static_cast<std::size_t>(given.corner[places * e + c])];
+      element.corner[c] = nth(given.node_number, given.corner[places * e + c]);
     mine.push_back(element);
   }
   return mine;
@@ -154,8 +154,7 @@ GatheredMesh joined(const std::vector<Node>& nodes, const std::vector<Element>& 
       block.element_id.push_back(element->number);
       rank_of_input.push_back(element->rank);
       for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c) {
-        const auto node =
-            std::ranges::lower_bound(nodes, element->corner[static_cast<std::size_t>(c)], {}, &Node::number);
+        const auto node = std::ranges::lower_bound(nodes, nth(element->corner, c), {}, &Node::number);
         block.nodes.push_back(static_cast<LocalIndex>(node - nodes.begin()));
       }
     }
@@ -165,8 +164,7 @@ GatheredMesh joined(const std::vector<Node>& nodes, const std::vector<Element>& 
     throw std::invalid_argument(report.faults.front());
   GatheredMesh gathered{mesh::canonical_order(std::move(whole)), {}};
   for (const std::vector<GlobalIndex>& block : gathered.mesh.input_element)
-    for (const GlobalIndex input : block)
-      gathered.rank_of_element.push_back(rank_of_input[static_cast<std::size_t>(input)]);
+    for (const GlobalIndex input : block) gathered.rank_of_element.push_back(nth(rank_of_input, input));
   return gathered;
 }
 

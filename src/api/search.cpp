@@ -67,8 +67,7 @@ PointsInBoxes find_points_in_boxes(MPI_Comm on, std::span<const double> points, 
   contact::find_pairs_by(method_of(method), sides, places, scratch, pairs);
   PointsInBoxes found{.first = {0}, .box = {}};
   for (LocalIndex p = 0; p < pairs.rows(); ++p) {
-    for (const LocalIndex box : std::as_const(pairs).row(p))
-      found.box.push_back(near[static_cast<std::size_t>(box)].number);
+    for (const LocalIndex box : std::as_const(pairs).row(p)) found.box.push_back(nth(near, box).number);
     found.first.push_back(static_cast<std::int64_t>(found.box.size()));
   }
   return found;

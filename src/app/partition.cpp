@@ -45,8 +45,7 @@ double imbalance(const std::vector<double>& seconds) {
 template <class Weight>
 std::vector<double> of_parts(const std::vector<Weight>& weights, const std::vector<Rank>& part, int parts) {
   std::vector<double> sums(static_cast<std::size_t>(parts), 0.0);
-  for (std::size_t e = 0; e < part.size(); ++e)
-    sums[static_cast<std::size_t>(part[e])] += static_cast<double>(weights[e]);
+  for (std::size_t e = 0; e < part.size(); ++e) nth(sums, part[e]) += static_cast<double>(weights[e]);
   return sums;
 }
 

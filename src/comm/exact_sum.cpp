@@ -55,9 +55,7 @@ double ExactAccumulator::round() const {
     for (std::int64_t& limb : magnitude.limb_) limb = -limb;
     magnitude.normalise();
   }
-  const auto limb = [&](int i) {
-    return i < 0 ? 0 : static_cast<std::uint64_t>(magnitude.limb_[static_cast<std::size_t>(i)]);
-  };
+  const auto limb = [&](int i) { return i < 0 ? 0 : static_cast<std::uint64_t>(nth(magnitude.limb_, i)); };
   int top = limbs - 1;
   while (top >= 0 && limb(top) == 0) --top;
   if (top < 0) return 0.0;

@@ -43,7 +43,7 @@ class GatheredRows final : public RowLayout {
     std::vector<double> all(ranks_.is_root() ? static_cast<std::size_t>(unknowns_) : 0);
     for (std::size_t r = 0; r < of_rank.size(); ++r) {
       const std::vector<double> values = array_of<double>(of_rank[r]);
-      for (std::size_t i = 0; i < values.size(); ++i) all[static_cast<std::size_t>(row_of_rank_[r][i])] = values[i];
+      for (std::size_t i = 0; i < values.size(); ++i) nth(all, row_of_rank_[r][i]) = values[i];
     }
     return all;
   }
@@ -51,8 +51,7 @@ class GatheredRows final : public RowLayout {
   void from_solver(std::span<const double> values, std::span<double> owned) const override {
     const auto bytes = ranks_.scatter([&](Rank r) {
       std::vector<double> of_rank;
-      for (const GlobalIndex row : row_of_rank_[static_cast<std::size_t>(r)])
-        of_rank.push_back(values[static_cast<std::size_t>(row)]);
+      for (const GlobalIndex row : nth(row_of_rank_, r)) of_rank.push_back(nth(values, row));
       const auto raw = std::as_bytes(std::span(of_rank));
       return std::vector<std::byte>(raw.begin(), raw.end());
     });
@@ -75,7 +74,7 @@ class GatheredRows final : public RowLayout {
   static void lay_rows(std::span<const GlobalIndex> row, std::span<const std::int64_t> begin,
                        std::span<const std::byte> columns, std::span<const std::byte> values, RowRange& range) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      auto at = static_cast<std::size_t>(range.begin[static_cast<std::size_t>(row[i])]);
+      auto at = static_cast<std::size_t>(nth(range.begin, row[i]));
       for (auto k = static_cast<std::size_t>(begin[i]); k < static_cast<std::size_t>(begin[i + 1]); ++k, ++at) {
         GlobalIndex column = 0;
         std::memcpy(&column, columns.data() + k * sizeof(column), sizeof(column));

@@ -24,8 +24,7 @@ void demand_each_row_once(const Communicator& ranks, GlobalIndex unknowns, std::
   bool once = true;
   std::vector<char> seen(ranks.is_root() ? static_cast<std::size_t>(unknowns) : 0);
   for (const std::vector<std::byte>& bytes : ranks.gather(std::as_bytes(owned)))
-    for (const GlobalIndex row : array_of<GlobalIndex>(bytes))
-      once = seen[static_cast<std::size_t>(row)]++ == 0 && once;
+    for (const GlobalIndex row : array_of<GlobalIndex>(bytes)) once = nth(seen, row)++ == 0 && once;
   once = once && std::ranges::count(seen, 0) == 0;
   demand(!ranks.any(!once), "each row of the matrix has one owner");
 }

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "fill_order.hpp"
 
 namespace brunt::comm {
@@ -63,7 +64,7 @@ Pattern gathered_pattern(MPI_Comm comm, int rank, const RankShares& rows, const 
     whole.column.resize(static_cast<std::size_t>(entries.first.back()));
   }
   std::vector<SolverIndex> end(range.begin.begin() + 1, range.begin.end());
-  for (SolverIndex& place : end) place += entries.first[static_cast<std::size_t>(rank)];
+  for (SolverIndex& place : end) place += nth(entries.first, rank);
   MPI_Gatherv(end.data(), range.rows(), MPI_INT, rank == 0 ? whole.begin.data() + 1 : nullptr, rows.count.data(),
               rows.first.data(), MPI_INT, 0, comm);
   MPI_Gatherv(range.column.data(), range.begin.back(), MPI_INT, whole.column.data(), entries.count.data(),
@@ -121,11 +122,11 @@ void Mumps::analyse(const RowRange& rows, int more_room) {
   order(rows);
   row_.clear();
   column_.clear();
-  const SolverIndex first = rows_.first[static_cast<std::size_t>(rank_)] + 1;
+  const SolverIndex first = nth(rows_.first, rank_) + 1;
   for (SolverIndex i = 0; i < rows.rows(); ++i)
-    for (auto k = rows.begin[static_cast<std::size_t>(i)]; k < rows.begin[static_cast<std::size_t>(i) + 1]; ++k) {
+    for (auto k = nth(rows.begin, i); k < rows.begin[static_cast<std::size_t>(i) + 1]; ++k) {
       row_.push_back(first + i);
-      column_.push_back(rows.column[static_cast<std::size_t>(k)] + 1);
+      column_.push_back(nth(rows.column, k) + 1);
     }
   solver_.n = rows.unknowns;
   if (ranks_ == 1) {

@@ -34,8 +34,7 @@ Ragged<Announcement> announce(const Communicator& ranks, std::span<const Contrib
     const auto found = row.find(contribution.node_gid);
     if (found == row.end()) continue;
     for (const Rank rank : sharers.row(found->second))
-      to_rank[static_cast<std::size_t>(rank)].push_back(
-          {contribution.node_gid, contribution.key, static_cast<LocalIndex>(slot), 0});
+      nth(to_rank, rank).push_back({contribution.node_gid, contribution.key, static_cast<LocalIndex>(slot), 0});
   }
   return comm::exchange(ranks, to_rank);
 }
@@ -66,8 +65,7 @@ OrderedSum::OrderedSum(const Communicator& ranks, std::span<const Contribution> 
   std::vector<std::vector<Term>> terms(shared_node.size());
   for (std::size_t slot = 0; slot < contributions.size(); ++slot)
     if (const auto found = row.find(contributions[slot].node_gid); found != row.end())
-      terms[static_cast<std::size_t>(found->second)].push_back(
-          {contributions[slot].key, static_cast<LocalIndex>(slot)});
+      nth(terms, found->second).push_back({contributions[slot].key, static_cast<LocalIndex>(slot)});
 
   const auto slots = static_cast<LocalIndex>(contributions.size());
   std::vector<RemoteSlot> source;
@@ -76,8 +74,7 @@ OrderedSum::OrderedSum(const Communicator& ranks, std::span<const Contribution> 
     for (const Announcement& told : announced.row(rank)) {
       const auto found = row.find(told.node_gid);
       demand(found != row.end(), "a contribution comes only to ranks that share its node");
-      terms[static_cast<std::size_t>(found->second)].push_back(
-          {told.key, slots + static_cast<LocalIndex>(source.size())});
+      nth(terms, found->second).push_back({told.key, slots + static_cast<LocalIndex>(source.size())});
       source.push_back({rank, told.slot});
     }
   terms_ = in_key_order(terms);
@@ -95,7 +92,7 @@ void OrderedSum::end(std::span<const double> slots, int width, std::span<double>
   const LocalIndex own = halo_.roots();
   const auto components = static_cast<std::size_t>(width);
   for (LocalIndex row = 0; row < terms_.rows(); ++row) {
-    const auto node = static_cast<std::size_t>(shared_node_[static_cast<std::size_t>(row)]);
+    const auto node = static_cast<std::size_t>(nth(shared_node_, row));
     double* sum = node_values.data() + node * static_cast<std::size_t>(stride);
     std::fill_n(sum, components, 0.0);
     for (const LocalIndex term : terms_.row(row)) {

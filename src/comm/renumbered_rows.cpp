@@ -20,7 +20,7 @@ class RenumberedRows final : public RowLayout {
       in_order.insert(in_order.end(), bytes.begin(), bytes.end());
     ranks.broadcast(in_order);
     SolverIndex number = 0;
-    for (const GlobalIndex row : array_of<GlobalIndex>(in_order)) number_of_[static_cast<std::size_t>(row)] = number++;
+    for (const GlobalIndex row : array_of<GlobalIndex>(in_order)) nth(number_of_, row) = number++;
   }
 
   [[nodiscard]] MPI_Comm solver_ranks() const override { return native(ranks_); }
@@ -32,7 +32,7 @@ class RenumberedRows final : public RowLayout {
     for (std::size_t i = 0; i + 1 < rows.begin.size(); ++i) {
       entries.clear();
       for (auto k = static_cast<std::size_t>(rows.begin[i]); k < static_cast<std::size_t>(rows.begin[i + 1]); ++k)
-        entries.emplace_back(number_of_[static_cast<std::size_t>(rows.column[k])], rows.value[k]);
+        entries.emplace_back(nth(number_of_, rows.column[k]), rows.value[k]);
       std::ranges::sort(entries, {}, &std::pair<SolverIndex, double>::first);
       for (const auto& [column, value] : entries) {
         range.column.push_back(column);

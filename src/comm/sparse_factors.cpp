@@ -132,7 +132,7 @@ SparseFactors::Equilibration SparseFactors::equilibration() {
   }
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
-  const int first = shares_.first[static_cast<std::size_t>(rank)];
+  const int first = nth(shares_.first, rank);
   of.column = {of.column.begin() + first, of.column.begin() + first + static_cast<std::ptrdiff_t>(rows)};
   return of;
 }
@@ -171,7 +171,7 @@ double SparseFactors::residual(std::span<const double> b, std::span<const double
   for (std::size_t i = 0; i < r.size(); ++i) {
     double sum = b[i], size = std::abs(b[i]);
     for (auto k = static_cast<std::size_t>(rows_.begin[i]); k < static_cast<std::size_t>(rows_.begin[i + 1]); ++k) {
-      const double term = rows_.value[k] * every[static_cast<std::size_t>(rows_.column[k])];
+      const double term = rows_.value[k] * nth(every, rows_.column[k]);
       sum -= term;
       size += std::abs(term);
     }

@@ -16,7 +16,7 @@ namespace {
 
 /// For a node of several blocks, the largest friction coefficient applies.
 FrictionLaw friction_of(const Contact& contact, const Row& row, std::span<const Wall> walls) {
-  if (row.is_wall()) return walls[static_cast<std::size_t>(row.key.master)].friction;
+  if (row.is_wall()) return nth(walls, row.key.master).friction;
   const PairTable& pairs = contact.settings.specification.pairs;
   const auto law_of = [&](std::int32_t slave) { return pairs.at(slave, row.master_block).friction; };
   if (row.is_edge()) return law_of(row.slave_block);
@@ -27,7 +27,7 @@ FrictionLaw friction_of(const Contact& contact, const Row& row, std::span<const 
 }
 
 bool has_coincident_node(const Row& row, std::span<const NodeMotion> motion_of, const DetectionSettings& settings) {
-  const auto motion = [&](LocalIndex node) { return motion_of[static_cast<std::size_t>(node)]; };
+  const auto motion = [&](LocalIndex node) { return nth(motion_of, node); };
   return std::any_of(row.nodes.begin() + 1, row.nodes.begin() + row.node_count,
                      [&](LocalIndex node) { return are_coincident(motion(row.nodes[0]), motion(node), settings); });
 }
@@ -35,7 +35,7 @@ bool has_coincident_node(const Row& row, std::span<const NodeMotion> motion_of, 
 GlobalIndex lowest_gid_of_master(const Contact& contact, const Row& row) {
   GlobalIndex lowest = std::numeric_limits<GlobalIndex>::max();
   for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
-    lowest = std::min(lowest, contact.lists.nodes.gid[static_cast<std::size_t>(row.nodes[i])]);
+    lowest = std::min(lowest, nth(contact.lists.nodes.gid, row.nodes[i]));
   return lowest;
 }
 
@@ -73,9 +73,7 @@ void soften_rows_of_bodies(const StepInput& input, const Carriers& carriers, con
   for (Row& row : rows) {
     if (row.softness > 0 || row.cone != Cone::compression) continue;
     const std::span<const LocalIndex> points(row.nodes.data(), static_cast<std::size_t>(row.node_count));
-    const auto moves = [&](LocalIndex point) {
-      return nodes.mobility[static_cast<std::size_t>(point)].inverse_mass > 0;
-    };
+    const auto moves = [&](LocalIndex point) { return nth(nodes.mobility, point).inverse_mass > 0; };
     const auto is_carried = [&](LocalIndex point) { return carriers.of(point) != nullptr; };
     if (std::ranges::any_of(points, moves) || !std::ranges::any_of(points, is_carried)) continue;
     make_soft(row, softness, input.dt);
@@ -105,8 +103,7 @@ void assign_slabs(const Contact& contact, std::span<Row> rows) {
   for (Row& row : rows) {
     if (row.is_wall() || row.is_edge()) continue;
     const std::vector<double>& impedance = contact.settings.blocks.impedance;
-    const double one = impedance[static_cast<std::size_t>(blocks_of_slave(contact, row).front())],
-                 two = impedance[static_cast<std::size_t>(row.master_block)];
+    const double one = nth(impedance, blocks_of_slave(contact, row).front()), two = nth(impedance, row.master_block);
     row.slab = one * two / (one + two) * area_of_slave(contact, row);
   }
 }

@@ -23,8 +23,8 @@ bool has_acted(std::span<const HistoryRecord> acted, const RowKey& key) {
 double unexplained(const Row& row, const BirthRecord& before, const BirthScene& scene) {
   if (row.gap >= 0 || has_acted(scene.acted, row.key)) return 0;
   if (scene.surface_is_new) return -row.gap;
-  const Vec3 relative = relative_velocity(
-      row, [&](LocalIndex node) -> const Vec3& { return scene.motion[static_cast<std::size_t>(node)].old_velocity; });
+  const Vec3 relative =
+      relative_velocity(row, [&](LocalIndex node) -> const Vec3& { return nth(scene.motion, node).old_velocity; });
   const double was = std::max(0.0, before.depth - before.penetration);
   return std::max(0.0, -row.gap - was - scene.dt * relative.norm());
 }

@@ -26,17 +26,13 @@ void book_work(const Row& row, bool unmet, const Vec3& impulse, const Vec3& rela
 
 /// Before and after the step, added up.
 Vec3 both_relative_velocities(const ContactNodes& nodes, const Row& row) {
-  const auto old_velocity = [&](LocalIndex node) -> const Vec3& {
-    return nodes.motion[static_cast<std::size_t>(node)].old_velocity;
-  };
+  const auto old_velocity = [&](LocalIndex node) -> const Vec3& { return nth(nodes.motion, node).old_velocity; };
   return relative_velocity(row, nodes.velocity) + relative_velocity(row, old_velocity);
 }
 
 /// About the slave: the impulses on the nodes sum to zero.
 Vec3 spin_of(const ContactNodes& nodes, const Row& row, const Vec3& impulse) {
-  const auto place = [&](std::size_t i) -> const Vec3& {
-    return nodes.motion[static_cast<std::size_t>(row.nodes[i])].position;
-  };
+  const auto place = [&](std::size_t i) -> const Vec3& { return nth(nodes.motion, row.nodes[i]).position; };
   Vec3 spin = Vec3::Zero();
   for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
     spin += (place(i) - place(0)).cross(impulse_on_node(row, i, impulse));
@@ -78,7 +74,7 @@ void book_impulses(Contact& contact) {
     const Row& row = step.rows[q];
     book_work(row, contact.unmet.is(q), impulse, both_relative_velocities(step.nodes, row), sums.work);
     if (row.is_wall()) {
-      add_vector(sums.wall_impulse[static_cast<std::size_t>(row.key.master)], impulse);
+      add_vector(nth(sums.wall_impulse, row.key.master), impulse);
       continue;
     }
     add_vector(sums.spin, spin_of(step.nodes, row, impulse));
@@ -100,8 +96,8 @@ void add_impulses(const Contact& contact, std::span<Vec3> impulse) {
   const NodeTable& nodes = contact.lists.nodes;
   for (std::size_t i = 0; i < nodes.gid.size(); ++i) {
     if (nodes.home[i].rank != contact.ranks.rank()) continue;
-    const LocalIndex node = contact.surface.model_node[static_cast<std::size_t>(nodes.surface_node[i])];
-    impulse[static_cast<std::size_t>(node)] += impulse_of_node(contact.step.scratch.enforcement, i);
+    const LocalIndex node = nth(contact.surface.model_node, nodes.surface_node[i]);
+    nth(impulse, node) += impulse_of_node(contact.step.scratch.enforcement, i);
   }
 }
 
@@ -115,7 +111,7 @@ RubbingRow most_given_by_friction(const Contact& contact) {
     const Vec3 across = impulse - row.normal.dot(impulse) * row.normal;
     const double work = -0.5 * across.dot(both_relative_velocities(step.nodes, row));
     if (most.slave_gid == no_index || work < most.work)
-      most = {work, row.key.slave, step.nodes.motion[static_cast<std::size_t>(row.nodes[0])].position,
+      most = {work, row.key.slave, nth(step.nodes.motion, row.nodes[0]).position,
               row.is_wall() ? no_index : row.master_block};
   }
   return most;

@@ -16,14 +16,13 @@ std::size_t surface_node_count(const Surface& surface) {
 }
 
 std::size_t model_slave(const Contact& contact, const Row& row) {
-  return static_cast<std::size_t>(contact.surface.model_node[static_cast<std::size_t>(surface_slave(contact, row))]);
+  return static_cast<std::size_t>(nth(contact.surface.model_node, surface_slave(contact, row)));
 }
 
 /// What of these facets looks against the normal [length^2].
 double area_against(const Contact& contact, const Vec3& normal, std::span<const LocalIndex> facets) {
   double area = 0;
-  for (const LocalIndex facet : facets)
-    area += std::max(0.0, -normal.dot(contact.step.facet_area[static_cast<std::size_t>(facet)]));
+  for (const LocalIndex facet : facets) area += std::max(0.0, -normal.dot(nth(contact.step.facet_area, facet)));
   return area;
 }
 

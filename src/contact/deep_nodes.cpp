@@ -62,7 +62,7 @@ class Look {
     return {at(inside.part.first), at(inside.part.last)};
   }
   [[nodiscard]] Vec3 at(LocalIndex surface_node) const {
-    return position_[watched_.surface.model_node[static_cast<std::size_t>(surface_node)]];
+    return position_[nth(watched_.surface.model_node, surface_node)];
   }
   [[nodiscard]] bool may_meet(const Probe& probe, std::int32_t block) const {
     const PairTable& pairs = watched_.pairs;
@@ -94,8 +94,7 @@ void Look::list_probes() {
   for (const SurfaceEdge& edge : surface.edges) {
     if (edge.kind != EdgeKind::sharp) continue;
     probes_.push_back({.at = {at(edge.nodes[0]), at(edge.nodes[1])},
-                       .ends = {surface.gid[static_cast<std::size_t>(edge.nodes[0])],
-                                surface.gid[static_cast<std::size_t>(edge.nodes[1])]},
+                       .ends = {nth(surface.gid, edge.nodes[0]), nth(surface.gid, edge.nodes[1])},
                        .blocks = std::span(&edge.block, 1),
                        .around = edge.elements,
                        .on_edge = true});
@@ -112,8 +111,8 @@ void Look::find_inside(std::vector<GhostElement> elements) {
   for (const GhostElement& element : elements) boxes.push_back(element.capture.box());
   OverlapScratch scratch;
   for_each_overlap(wanted, boxes, scratch, [&](LocalIndex p, LocalIndex e) {
-    const Probe& probe = probes_[static_cast<std::size_t>(p)];
-    const GhostElement& element = elements[static_cast<std::size_t>(e)];
+    const Probe& probe = nth(probes_, p);
+    const GhostElement& element = nth(elements, e);
     if (!may_meet(probe, element.block) || touches(probe, element.nodes)) return;
     const Stretch part = part_in(element, probe.at);
     if (part.is_empty() || (probe.on_edge && part.length() == 0)) return;
@@ -146,8 +145,7 @@ void Look::sum_chords() {
 std::vector<WatchedSide> Look::own_sides() const {
   std::vector<WatchedSide> sides;
   for (const SurfaceFace& face : watched_.surface.faces) {
-    if (watched_.thickness.size() > static_cast<std::size_t>(face.block) &&
-        watched_.thickness[static_cast<std::size_t>(face.block)] > 0)
+    if (watched_.thickness.size() > static_cast<std::size_t>(face.block) && nth(watched_.thickness, face.block) > 0)
       continue;
     WatchedSide side{.key = face.key, .element = face.element, .corner_count = face.corner_count};
     side.element_depth = face.element_depth;
@@ -156,7 +154,7 @@ std::vector<WatchedSide> Look::own_sides() const {
     for (std::size_t i = 0; i < side.count(); ++i) {
       const Vec3 x = at(face.nodes[i]);
       side.corner[i] = {x[0], x[1], x[2]};
-      side.gid[i] = watched_.surface.gid[static_cast<std::size_t>(face.nodes[i])];
+      side.gid[i] = nth(watched_.surface.gid, face.nodes[i]);
       geometry::extend(box, x);
     }
     side.capture = PlainBox(geometry::grown(box, 2 * face.element_depth));
@@ -180,8 +178,7 @@ void Look::measure() {
   for (const WatchedSide& side : sides) boxes.push_back(side.capture.box());
   std::vector<std::vector<LocalIndex>> near(inside_.size());
   OverlapScratch scratch;
-  for_each_overlap(wanted, boxes, scratch,
-                   [&](LocalIndex k, LocalIndex s) { near[static_cast<std::size_t>(k)].push_back(s); });
+  for_each_overlap(wanted, boxes, scratch, [&](LocalIndex k, LocalIndex s) { nth(near, k).push_back(s); });
   for (std::size_t k = 0; k < inside_.size(); ++k) {
     Inside& inside = inside_[k];
     std::ranges::sort(near[k]);

@@ -21,7 +21,7 @@ std::vector<Vec3> own_normals(const Probe& probe, std::span<const WatchedSide> s
   std::vector<Vec3> normals;
   if (!probe.on_edge) return normals;
   for (const LocalIndex s : near) {
-    const WatchedSide& side = sides[static_cast<std::size_t>(s)];
+    const WatchedSide& side = nth(sides, s);
     const auto has = [&](GlobalIndex gid) { return std::ranges::find(side.gid, gid) != side.gid.end(); };
     if (std::ranges::all_of(probe.ends, has)) normals.push_back(side.normal());
   }
@@ -43,7 +43,7 @@ DepthAlong::DepthAlong(const Probe& probe, double chord, std::span<const Watched
   std::vector<LocalIndex> all(own.size());
   std::iota(all.begin(), all.end(), LocalIndex{0});
   for (const LocalIndex s : near) {
-    const WatchedSide& side = sides[static_cast<std::size_t>(s)];
+    const WatchedSide& side = nth(sides, s);
     if (touches(probe, side.element)) continue;
     const bool admits = on_edge_ && admission({all, own}, side.normal(), false) >= watched.tolerances.slight;
     faces_.push_back({side.corners(), side.count(), side.element_depth, admits});

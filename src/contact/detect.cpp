@@ -21,7 +21,7 @@ void detect_crossing_edges(const StepView& view, ContactLists& lists, StepData& 
   std::vector<NodeHold>& holds = step.scratch.holds;
   holds.assign(lists.nodes.gid.size(), {});
   for (const Row& row : step.rows) {
-    NodeHold& hold = holds[static_cast<std::size_t>(row.nodes[0])];
+    NodeHold& hold = nth(holds, row.nodes[0]);
     if (hold.normal.isZero(0)) hold = {row.normal, static_cast<double>(row.master_body)};
   }
   lists.exchange.share(as_doubles(holds), hold_width);

@@ -14,8 +14,7 @@ void measure_facets(const GatherPlan& plan, VectorView position, std::span<Vec3>
     const auto count = static_cast<std::size_t>(facet.corner_count);
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < count; ++i) corners[i] = position[facet.model_nodes[i]];
-    own_area[static_cast<std::size_t>(facet.face)] =
-        geometry::area_vector({corners.data(), count}) / static_cast<double>(count);
+    nth(own_area, facet.face) = geometry::area_vector({corners.data(), count}) / static_cast<double>(count);
   }
 }
 
@@ -23,7 +22,7 @@ void measure_facets(const GatherPlan& plan, VectorView position, std::span<Vec3>
 
 GatherPlan plan_gather(const Surface& surface, const ContactLists& lists) {
   GatherPlan plan;
-  const auto model_node = [&](LocalIndex node) { return surface.model_node[static_cast<std::size_t>(node)]; };
+  const auto model_node = [&](LocalIndex node) { return nth(surface.model_node, node); };
   for (std::size_t i = 0; i < lists.nodes.surface_node.size(); ++i)
     if (const LocalIndex here = lists.nodes.surface_node[i]; here != no_index)
       plan.nodes.push_back({static_cast<LocalIndex>(i), model_node(here)});
@@ -48,8 +47,7 @@ void gather(const StepInput& input, const GatherPlan& plan, ContactLists& lists,
       predicted.fetch(later);
     }
     const auto [contact_node, node] = plan.nodes[k];
-    step.nodes.motion[static_cast<std::size_t>(contact_node)] = {input.position[node], input.old_velocity[node],
-                                                                 predicted[node]};
+    nth(step.nodes.motion, contact_node) = {input.position[node], input.old_velocity[node], predicted[node]};
   }
   const std::span<double> motion = as_doubles(step.nodes.motion), own_area = as_doubles(step.own_area),
                           facet_area = as_doubles(step.facet_area);
@@ -64,7 +62,7 @@ void gather(const StepInput& input, const GatherPlan& plan, ContactLists& lists,
 
 void scatter(Contact& contact, MutableVectorView velocity) {
   for (const auto& [contact_node, node] : contact.list_state.gather.nodes)
-    velocity.set(node, contact.step.nodes.velocity[static_cast<std::size_t>(contact_node)]);
+    velocity.set(node, nth(contact.step.nodes.velocity, contact_node));
   share_velocity(contact.surface, velocity, contact.surface_nodes.copies);
 }
 

@@ -24,9 +24,8 @@ Spin spin_of(const Contact& contact, const Carriers& carriers, LocalIndex node) 
 /// Nothing but rigid bodies can yield.
 bool is_stiff(const Contact& contact, const Row& row) {
   if (row.cone != Cone::compression || row.is_edge() || row.holds) return false;
-  return std::all_of(row.nodes.begin(), row.nodes.begin() + row.node_count, [&](LocalIndex node) {
-    return contact.step.nodes.mobility[static_cast<std::size_t>(node)].inverse_mass == 0;
-  });
+  return std::all_of(row.nodes.begin(), row.nodes.begin() + row.node_count,
+                     [&](LocalIndex node) { return nth(contact.step.nodes.mobility, node).inverse_mass == 0; });
 }
 
 bool is_jammed(const Contact& contact, const Carriers& carriers, std::size_t q, double dt) {
@@ -59,7 +58,7 @@ bool is_jammed(const Contact& contact, const Carriers& carriers, std::size_t q, 
                    gap.of({predicted(own.predicted, none), predicted(other.predicted, none), predicted(shift, none)}),
                second = gap.of({predicted(own.change, none), predicted(other.change, none), predicted(change, none)});
   const double gain = dt * row.normal.dot(relative_velocity(row, after) - relative_velocity(row, [&](LocalIndex node) {
-                                            return motion[static_cast<std::size_t>(node)].predicted;
+                                            return nth(motion, node).predicted;
                                           }));
   return gain > 0 && has_no_multiple(gain + by_all - by_prediction - second, second, gain);
 }

@@ -20,8 +20,7 @@ std::vector<double> sound_of(std::span<const BodyFigures> bodies, std::span<cons
   if (sound.empty()) return slowest;
   for (const BodyFigures& body : bodies) {
     slowest.push_back(std::numeric_limits<double>::infinity());
-    for (const std::int32_t block : body.blocks)
-      slowest.back() = std::min(slowest.back(), sound[static_cast<std::size_t>(block)]);
+    for (const std::int32_t block : body.blocks) slowest.back() = std::min(slowest.back(), nth(sound, block));
   }
   return slowest;
 }
@@ -79,8 +78,7 @@ SurfaceNodes surface_nodes(const comm::Communicator& ranks, const Surface& surfa
                      .held = held_by_walls(surface, mesh.coordinates, walls, tolerances),
                      .copies = link_copies(ranks, surface)};
   if (wants_reference)
-    for (const LocalIndex node : surface.model_node)
-      nodes.reference.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
+    for (const LocalIndex node : surface.model_node) nodes.reference.push_back(nth(mesh.coordinates, node));
   return nodes;
 }
 
@@ -100,8 +98,7 @@ std::vector<BodyFigures> with_blocks(std::vector<BodyFigures> bodies, std::span<
 void spare_rigid_masters(const comm::Communicator& ranks, std::span<const double> carrier, Surface& surface) {
   std::vector<double> deforms(surface.bodies.size(), 0.0);
   for (std::size_t i = 0; i < surface.gid.size(); ++i)
-    if (surface.body[i] != no_index && !(i < carrier.size() && carrier[i] > 0))
-      deforms[static_cast<std::size_t>(surface.body[i])] = 1;
+    if (surface.body[i] != no_index && !(i < carrier.size() && carrier[i] > 0)) nth(deforms, surface.body[i]) = 1;
   ranks.max(deforms);
   for (std::size_t body = 0; body < deforms.size(); ++body)
     if (deforms[body] == 0) surface.bodies[body].shortest_edge = std::numeric_limits<double>::infinity();

@@ -92,8 +92,7 @@ template <class T>
 std::vector<T> of_contact_nodes(ContactLists& lists, std::span<const T> of_surface, const T& none) {
   std::vector<T> values(lists.nodes.gid.size(), none);
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (const LocalIndex here = lists.nodes.surface_node[i]; here != no_index)
-      values[i] = of_surface[static_cast<std::size_t>(here)];
+    if (const LocalIndex here = lists.nodes.surface_node[i]; here != no_index) values[i] = nth(of_surface, here);
   lists.exchange.share(as_doubles(values), static_cast<int>(sizeof(T) / sizeof(double)));
   return values;
 }

@@ -20,7 +20,7 @@ std::vector<GlobalIndex> slaves_here(const Surface& surface, Rank rank) {
   std::vector<GlobalIndex> slaves;
   for (std::size_t i = 0; i < surface.gid.size(); ++i)
     if (surface.owns(static_cast<LocalIndex>(i), rank)) slaves.push_back(surface.gid[i]);
-  for (const SurfaceEdge& edge : surface.edges) slaves.push_back(surface.gid[static_cast<std::size_t>(edge.nodes[0])]);
+  for (const SurfaceEdge& edge : surface.edges) slaves.push_back(nth(surface.gid, edge.nodes[0]));
   std::ranges::sort(slaves);
   slaves.erase(std::unique(slaves.begin(), slaves.end()), slaves.end());
   return slaves;
@@ -34,9 +34,8 @@ std::vector<Record> fetch(const comm::Communicator& ranks, const std::vector<Rec
   const auto count = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<Record>> to_desk(count), answers(count);
   std::vector<std::vector<GlobalIndex>> questions(count);
-  for (const Record& record : records)
-    to_desk[static_cast<std::size_t>(desk_of(record.key.slave, count))].push_back(record);
-  for (const GlobalIndex slave : slaves) questions[static_cast<std::size_t>(desk_of(slave, count))].push_back(slave);
+  for (const Record& record : records) nth(to_desk, desk_of(record.key.slave, count)).push_back(record);
+  for (const GlobalIndex slave : slaves) nth(questions, desk_of(slave, count)).push_back(slave);
   std::vector<Record> on_desk = comm::exchange(ranks, to_desk).values;
   const auto slave_of = [](const Record& record) { return record.key.slave; };
   std::ranges::sort(on_desk, {}, slave_of);
@@ -72,8 +71,7 @@ void move_history(Contact& contact) {
            surface.owns(static_cast<LocalIndex>(found - surface.gid.begin()), here);
   };
   const auto ends = [&](const SurfaceEdge& edge) {
-    return std::array{surface.gid[static_cast<std::size_t>(edge.nodes[0])],
-                      surface.gid[static_cast<std::size_t>(edge.nodes[1])]};
+    return std::array{nth(surface.gid, edge.nodes[0]), nth(surface.gid, edge.nodes[1])};
   };
   const auto belongs_elsewhere = [&](const auto& record) {
     const GlobalIndex slave = record.key.slave, second = record.key.slave_second;

@@ -7,7 +7,7 @@ namespace brunt::contact {
 
 /// The surface node of a contact node that this rank's mesh has.
 inline LocalIndex surface_node_of(const Contact& contact, LocalIndex contact_node) {
-  return contact.lists.nodes.surface_node[static_cast<std::size_t>(contact_node)];
+  return nth(contact.lists.nodes.surface_node, contact_node);
 }
 
 inline LocalIndex surface_slave(const Contact& contact, const Row& row) {

@@ -12,12 +12,11 @@ namespace brunt::contact {
 std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const double> inverse_mass,
                                        std::span<const ConstrainedNode> constrained, std::span<const double> carrier) {
   std::vector<Mobility> mobility;
-  for (const LocalIndex node : surface.model_node)
-    mobility.push_back({inverse_mass[static_cast<std::size_t>(node)], Mat3::Identity()});
+  for (const LocalIndex node : surface.model_node) mobility.push_back({nth(inverse_mass, node), Mat3::Identity()});
   for (const ConstrainedNode& held : constrained) {
     const auto found = std::ranges::lower_bound(surface.model_node, held.node);
     if (found == surface.model_node.end() || *found != held.node) continue;
-    mobility[static_cast<std::size_t>(found - surface.model_node.begin())].projector = held.projector;
+    nth(mobility, found - surface.model_node.begin()).projector = held.projector;
   }
   for (std::size_t i = 0; i < carrier.size(); ++i)
     if (carrier[i] > 0) mobility[i].inverse_mass = 0;
@@ -29,7 +28,7 @@ std::vector<double> surface_carriers(const Surface& surface, std::span<const Bod
   for (const BodyNode& carried : on_bodies) {
     const auto found = std::ranges::lower_bound(surface.model_node, carried.node);
     if (found == surface.model_node.end() || *found != carried.node) continue;
-    carrier[static_cast<std::size_t>(found - surface.model_node.begin())] = 1.0 + carried.body;
+    nth(carrier, found - surface.model_node.begin()) = 1.0 + carried.body;
   }
   return carrier;
 }
@@ -40,7 +39,7 @@ std::vector<char> held_by_walls(const Surface& surface, std::span<const Vec3> re
   held.reserve(walls.size() * surface.gid.size());
   for (const Wall& wall : walls)
     for (std::size_t i = 0; i < surface.model_node.size(); ++i) {
-      const double gap = (reference[static_cast<std::size_t>(surface.model_node[i])] - wall.point).dot(wall.normal);
+      const double gap = (nth(reference, surface.model_node[i]) - wall.point).dot(wall.normal);
       const bool acts = acts_on(wall, surface.blocks.row(static_cast<LocalIndex>(i)));
       held.push_back(wall.bilateral && acts && std::abs(gap) <= tolerances.rounding * surface.mean_edge ? 1 : 0);
     }
@@ -55,7 +54,7 @@ SurfaceCopies link_copies(const comm::Communicator& ranks, const Surface& surfac
     if (surface.owns(static_cast<LocalIndex>(i), ranks.rank())) continue;
     copies.foreign.push_back(static_cast<LocalIndex>(i));
     source.push_back({surface.home[i].rank, surface.home[i].index});
-    wanted[static_cast<std::size_t>(surface.home[i].rank)].push_back(surface.home[i].index);
+    nth(wanted, surface.home[i].rank).push_back(surface.home[i].index);
   }
   copies.lent = comm::exchange(ranks, wanted).values;
   copies.exist = ranks.any(!copies.lent.empty());
@@ -73,7 +72,7 @@ void share_velocity(const Surface& surface, MutableVectorView velocity, SurfaceC
   }
   copies.halo.forward(copies.sent, copies.received, 3);
   for (std::size_t i = 0; i < copies.foreign.size(); ++i)
-    velocity.set(surface.model_node[static_cast<std::size_t>(copies.foreign[i])], Vec3(&copies.received[3 * i]));
+    velocity.set(nth(surface.model_node, copies.foreign[i]), Vec3(&copies.received[3 * i]));
 }
 
 }  // namespace brunt::contact

@@ -56,8 +56,7 @@ std::vector<GlobalIndex> faces_left(const comm::Communicator& ranks, const std::
   std::vector<std::vector<GlobalIndex>> here(size);
   for (Rank r = 0; r < ranks.size(); ++r)
     for (const GlobalIndex key : asked.row(r))
-      if (std::ranges::binary_search(faces, key, {}, &mesh::ExteriorFace::key))
-        here[static_cast<std::size_t>(r)].push_back(key);
+      if (std::ranges::binary_search(faces, key, {}, &mesh::ExteriorFace::key)) nth(here, r).push_back(key);
   std::vector<GlobalIndex> left = comm::exchange(ranks, here).values;
   std::ranges::sort(left);
   return left;
@@ -68,7 +67,7 @@ std::vector<GlobalIndex> faces_left(const comm::Communicator& ranks, const std::
 TiedParts find_tied_parts(const Contact& contact) {
   const ContactLists& lists = contact.lists;
   TiedParts parts;
-  const auto block_of = [&](LocalIndex face) { return lists.faces[static_cast<std::size_t>(face)].block; };
+  const auto block_of = [&](LocalIndex face) { return nth(lists.faces, face).block; };
   parts.nodes_beside.assign(place_count(contact), 0);
   parts.ties = find_ties(
       lists.candidates, lists.faces, lists.nodes.gid, contact.step.nodes.motion, contact.step.facet_area,
@@ -102,7 +101,7 @@ void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces) {
   std::erase_if(ties, [&](const Tie& tie) {
     const auto slave = std::ranges::lower_bound(surface.gid, tie.slave) - surface.gid.begin();
     const auto node = static_cast<LocalIndex>(slave);
-    if (slave == std::ssize(surface.gid) || surface.gid[static_cast<std::size_t>(slave)] != tie.slave) return true;
+    if (slave == std::ssize(surface.gid) || nth(surface.gid, slave) != tie.slave) return true;
     return !std::ranges::binary_search(left, tie.face) || surface.facets.row(node).empty() ||
            !std::ranges::binary_search(surface.blocks.row(node), tie.slave_block);
   });

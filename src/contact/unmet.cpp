@@ -107,7 +107,7 @@ void sum_on_bodies(const Solved& solved, const Bounds& bounds, Exchange& exchang
     for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
       const LocalIndex place = solved.scratch.carried.place[rows.point(k)];
       if (place == no_index) continue;
-      const auto body = static_cast<std::size_t>(carriers.points[static_cast<std::size_t>(place)].body);
+      const auto body = static_cast<std::size_t>(nth(carriers.points, place).body);
       const Vec3 impulse = impulse_on_point(rows, q, k, growth);
       const Vec3 arm = solved.system.motion[rows.point(k)].position - carriers.bodies[body].centre;
       const Vec3 moment = arm.cross(impulse);
@@ -123,9 +123,7 @@ void sum_on_bodies(const Solved& solved, const Bounds& bounds, Exchange& exchang
 
 /// Joins bodies whose rows with each other have a part in the growth on both of them. Collective.
 void join_islands(const RowMatrix& rows, Exchange& exchange, Unmet& unmet) {
-  const auto island_of = [&](const BodyShare& share) -> double& {
-    return unmet.island[static_cast<std::size_t>(share.body)];
-  };
+  const auto island_of = [&](const BodyShare& share) -> double& { return nth(unmet.island, share.body); };
   for (std::size_t b = 0; b < unmet.island.size(); ++b) unmet.island[b] = -static_cast<double>(b);
   do {
     unmet.other.assign(unmet.island.begin(), unmet.island.end());
@@ -177,8 +175,7 @@ bool is_too_deep_to_recover(const Contact& contact, const Row& row, const Carrie
   if (settings.recovery_gives || -row.gap <= settings.tolerances->ledge * settings.wall_size) return false;
   const auto count = static_cast<std::size_t>(row.node_count);
   return std::all_of(row.nodes.begin(), row.nodes.begin() + count, [&](LocalIndex node) {
-    return carriers.of(node) != nullptr ||
-           contact.step.nodes.mobility[static_cast<std::size_t>(node)].inverse_mass == 0;
+    return carriers.of(node) != nullptr || nth(contact.step.nodes.mobility, node).inverse_mass == 0;
   });
 }
 
@@ -208,8 +205,7 @@ void hold_unmet_rows(Contact& contact, const StepInput& input) {
     Row& row = rows[q];
     if (row.gap >= 0 || row.cone != Cone::compression) continue;
     if (held[q] == 0 && !is_too_deep_to_recover(contact, row, carriers)) continue;
-    const double rate =
-        row.is_wall() ? row.normal.dot(input.walls[static_cast<std::size_t>(row.key.master)].velocity) : 0.0;
+    const double rate = row.is_wall() ? row.normal.dot(nth(input.walls, row.key.master).velocity) : 0.0;
     row.required = std::min(row.required, rate);
   }
 }
@@ -231,7 +227,7 @@ void find_unmet_rows(const Solved& solved, double least, Exchange& exchange, Unm
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if (unmet.growth[q].isZero(0)) continue;
     unmet.rows[q] = std::ranges::all_of(rows.bodies_of(q), [&](const BodyShare& share) {
-      const auto island = static_cast<std::size_t>(-unmet.island[static_cast<std::size_t>(share.body)]);
+      const auto island = static_cast<std::size_t>(-nth(unmet.island, share.body));
       return share.along == 0 || (unmet.balanced[island] != 0 && takes_part(unmet, share));
     });
   }

@@ -39,8 +39,7 @@ double size_of_master(const Contact& contact, const Row& row) {
   const MasterFace& face = face_of(contact, row);
   std::array<Vec3, 4> corners;
   const auto count = static_cast<std::size_t>(face.corner_count);
-  for (std::size_t i = 0; i < count; ++i)
-    corners[i] = contact.step.nodes.motion[static_cast<std::size_t>(face.nodes[i])].position;
+  for (std::size_t i = 0; i < count; ++i) corners[i] = nth(contact.step.nodes.motion, face.nodes[i]).position;
   return geometry::longest_edge({corners.data(), count});
 }
 
@@ -51,7 +50,7 @@ double extent_of_bodies(const Contact& contact, const Row& row) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
     const auto found = std::ranges::lower_bound(points, row.nodes[i], {}, &CarriedPoint::point);
     if (found != points.end() && found->point == row.nodes[i])
-      extent = std::min(extent, contact.settings.rigid.extent[static_cast<std::size_t>(found->body)]);
+      extent = std::min(extent, nth(contact.settings.rigid.extent, found->body));
   }
   return extent;
 }
@@ -75,7 +74,7 @@ DrivenMeeting meeting_of(const Contact& contact, const Row& row, std::int32_t sl
   const MasterFace& face = face_of(contact, row);
   const auto count = static_cast<std::size_t>(face.corner_count);
   for (std::size_t i = 0; i < count; ++i) {
-    meeting.corners[i] = contact.lists.nodes.gid[static_cast<std::size_t>(face.nodes[i])];
+    meeting.corners[i] = nth(contact.lists.nodes.gid, face.nodes[i]);
     for (std::size_t k = 1; k < static_cast<std::size_t>(row.node_count); ++k)
       if (row.nodes[k] == face.nodes[i]) meeting.weights[i] = -row.weights[k];
   }
@@ -103,8 +102,7 @@ double watch_row(Contact& contact, const Row& row, bool in_chain, const StepInpu
   known->penetration = std::max(known->penetration, -row.gap);
   DrivenMeeting now;  // whatever row was the first, as after a restart
   set_limit(contact, row, size, now);
-  const double wall =
-      row.is_wall() ? row.normal.dot(input.walls[static_cast<std::size_t>(row.key.master)].velocity) : 0.0;
+  const double wall = row.is_wall() ? row.normal.dot(nth(input.walls, row.key.master).velocity) : 0.0;
   const double closing = wall - row.normal.dot(relative_velocity(row, contact.step.nodes.velocity));
   const bool grows = closing * input.dt > tolerances.fine_rounding * size;
   return now.is_rigid && grows ? -row.gap / now.limit : 0.0;

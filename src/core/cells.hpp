@@ -63,7 +63,7 @@ inline constexpr std::array<Cell, 2> table{
     {{"hex8", 3, 8, hex_faces, hex_edges, hex_tetrahedra}, {"tet4", 3, 4, tet_faces, tet_edges, tet_tetrahedra}}};
 
 constexpr const Cell& of(Shape shape) {
-  return table[static_cast<std::size_t>(shape)];
+  return nth(table, shape);
 }
 
 /// The shape that stores an element with this number of different corners: eight, or six and five of wedges and

@@ -16,12 +16,12 @@ struct Ragged {
 
   [[nodiscard]] LocalIndex rows() const { return static_cast<LocalIndex>(offsets.size()) - 1; }
   [[nodiscard]] std::span<const T> row(LocalIndex i) const {
-    return {values.data() + offsets[static_cast<std::size_t>(i)],
-            static_cast<std::size_t>(offsets[static_cast<std::size_t>(i) + 1] - offsets[static_cast<std::size_t>(i)])};
+    return {values.data() + nth(offsets, i),
+            static_cast<std::size_t>(offsets[static_cast<std::size_t>(i) + 1] - nth(offsets, i))};
   }
   [[nodiscard]] std::span<T> row(LocalIndex i) {
-    return {values.data() + offsets[static_cast<std::size_t>(i)],
-            static_cast<std::size_t>(offsets[static_cast<std::size_t>(i) + 1] - offsets[static_cast<std::size_t>(i)])};
+    return {values.data() + nth(offsets, i),
+            static_cast<std::size_t>(offsets[static_cast<std::size_t>(i) + 1] - nth(offsets, i))};
   }
   /// Ends the row of the values appended to `values` since the last call.
   void close_row() { offsets.push_back(static_cast<LocalIndex>(values.size())); }
@@ -40,8 +40,7 @@ inline void transpose(const Ragged<LocalIndex>& rows, std::size_t column_count, 
   std::vector<LocalIndex> next(offsets.begin(), offsets.end() - 1);
   columns.values.resize(rows.values.size());
   for (LocalIndex r = 0; r < rows.rows(); ++r)
-    for (const LocalIndex c : rows.row(r))
-      columns.values[static_cast<std::size_t>(next[static_cast<std::size_t>(c)]++)] = r;
+    for (const LocalIndex c : rows.row(r)) nth(columns.values, nth(next, c)++) = r;
 }
 
 }  // namespace brunt

@@ -29,8 +29,8 @@ class Timers {
   };
 
   [[nodiscard]] Measure measure(Phase phase) { return Measure(*this, phase); }
-  void add(Phase phase, double seconds) { seconds_[static_cast<std::size_t>(phase)] += seconds; }
-  [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+  void add(Phase phase, double seconds) { nth(seconds_, phase) += seconds; }
+  [[nodiscard]] double seconds(Phase phase) const { return nth(seconds_, phase); }
 
  private:
   std::array<double, phases> seconds_{};

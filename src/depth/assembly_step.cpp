@@ -47,7 +47,7 @@ AssemblyStep::AssemblyStep(const Standing& standing, const Pose& pose) : standin
     constant_ += share * (motion.shift.squaredNorm() + 4 * v.dot(member.gyration * v));
     for (int c = 0; c < place.shifts; ++c) {
       entry(place.first + c, place.first + c) = share;
-      g_[static_cast<std::size_t>(place.first + c)] = share * place.along.col(c).dot(motion.shift);
+      nth(g_, place.first + c) = share * place.along.col(c).dot(motion.shift);
     }
     if (!place.turns) continue;
     const int at = place.first + place.shifts;
@@ -57,7 +57,7 @@ AssemblyStep::AssemblyStep(const Standing& standing, const Pose& pose) : standin
     const Vec3 slope = share * (4 * JM.transpose() * v);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) entry(at + i, at + j) = 0.5 * (block(i, j) + block(j, i));
-      g_[static_cast<std::size_t>(at + i)] = slope[i];
+      nth(g_, at + i) = slope[i];
     }
   }
 }
@@ -109,7 +109,7 @@ std::optional<SmallMotion> AssemblyStep::solve(std::span<const AssemblyCondition
     for (int i = 0; i < count_; ++i)
       for (const double sign : {1.0, -1.0}) {
         char& there = bounded[2 * static_cast<std::size_t>(i) + (sign > 0 ? 0 : 1)];
-        if (there || sign * program.x()[static_cast<std::size_t>(i)] >= -trust - tolerance) continue;
+        if (there || sign * nth(program.x(), i) >= -trust - tolerance) continue;
         there = 1;
         SparseRow& row = rows.emplace_back();
         row.add(i, sign);

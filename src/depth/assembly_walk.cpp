@@ -63,7 +63,7 @@ bool AssemblyWalker::correct_bounds(const Pose& trial, const SmallMotion& motion
     const MemberPair& pair = standing_.assembly().pairs[condition.pair];
     const auto triangle = [&](std::size_t k, std::size_t s, LocalIndex t) {
       const Placement placement = standing_.placement(trial, k);
-      geometry::Triangle corners = standing_.surface(k, s).tree.triangles[static_cast<std::size_t>(t)];
+      geometry::Triangle corners = nth(standing_.surface(k, s).tree.triangles, t);
       for (Vec3& corner : corners) corner = placement(corner);
       return corners;
     };

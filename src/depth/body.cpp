@@ -28,9 +28,9 @@ std::vector<Vec3> component_points(const TriangleSurface& surface) {
   std::vector<LocalIndex> root(surface.points.size());
   std::iota(root.begin(), root.end(), 0);
   const auto find = [&](LocalIndex i) {
-    while (root[static_cast<std::size_t>(i)] != i) {
-      LocalIndex& next = root[static_cast<std::size_t>(i)];
-      next = root[static_cast<std::size_t>(next)];
+    while (nth(root, i) != i) {
+      LocalIndex& next = nth(root, i);
+      next = nth(root, next);
       i = next;
     }
     return i;
@@ -38,13 +38,13 @@ std::vector<Vec3> component_points(const TriangleSurface& surface) {
   for (const auto& t : surface.triangles)
     for (std::size_t k = 1; k < 3; ++k) {
       const LocalIndex one = find(t[0]), other = find(t[k]);
-      root[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+      nth(root, std::max(one, other)) = std::min(one, other);
     }
   std::vector<Vec3> points;
   std::vector<char> done(surface.points.size(), 0);
   for (const auto& t : surface.triangles) {
-    char& seen = done[static_cast<std::size_t>(find(t[0]))];
-    if (!seen) points.push_back(surface.points[static_cast<std::size_t>(t[0])]);
+    char& seen = nth(done, find(t[0]));
+    if (!seen) points.push_back(nth(surface.points, t[0]));
     seen = 1;
   }
   return points;
@@ -121,7 +121,7 @@ bool precedes(const Vec3& x, const Vec3& y) {
 /// The same surface with its triangles sorted by the positions of their corners, each from its least corner on: walks
 /// take pairs of triangles in this order, and rounding would lead another order elsewhere.
 TriangleSurface in_order_of_positions(TriangleSurface surface) {
-  const auto at = [&](LocalIndex i) -> const Vec3& { return surface.points[static_cast<std::size_t>(i)]; };
+  const auto at = [&](LocalIndex i) -> const Vec3& { return nth(surface.points, i); };
   const auto by_position = [&](LocalIndex i, LocalIndex j) { return precedes(at(i), at(j)); };
   for (auto& t : surface.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end(), by_position), t.end());
   std::stable_sort(surface.triangles.begin(), surface.triangles.end(), [&](const auto& s, const auto& t) {
@@ -138,8 +138,7 @@ std::vector<InnerBall> inner_balls(const geometry::SlabTree& tree, const MetricS
   const Vec3 low = box.low, extent = box.high - low;
   const double cell = extent.maxCoeff() / grid_cells;
   std::array<int, 3> counts{};
-  for (int c = 0; c < 3; ++c)
-    counts[static_cast<std::size_t>(c)] = std::max(3, static_cast<int>(extent[c] / cell + whole));
+  for (int c = 0; c < 3; ++c) nth(counts, c) = std::max(3, static_cast<int>(extent[c] / cell + whole));
   std::vector<GridPoint> grid;
   for (int i = 0; i < counts[0]; ++i)
     for (int j = 0; j < counts[1]; ++j)
@@ -168,7 +167,7 @@ std::vector<Vec3> spread_points(std::span<const Vec3> points, const Vec3& centre
   for (int k = 0; k < most; ++k) {
     const auto farthest = std::max_element(distance2.begin(), distance2.end());
     if (farthest == distance2.end() || (k > 0 && !(*farthest > 0))) break;
-    const Vec3 x = points[static_cast<std::size_t>(farthest - distance2.begin())];
+    const Vec3 x = nth(points, farthest - distance2.begin());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double here = (points[i] - x).squaredNorm();
       distance2[i] = k > 0 ? std::min(distance2[i], here) : here;
@@ -186,8 +185,7 @@ InnerCells inner_cells(const geometry::SlabTree& tree, const MetricShape& shape,
   cells.side = std::cbrt(std::max(volume / count, extent.prod() / (most_grid * count)));
   const double half_diagonal = 0.5 * std::numbers::sqrt3 * cells.side;
   std::array<int, 3> counts{};
-  for (int c = 0; c < 3; ++c)
-    counts[static_cast<std::size_t>(c)] = std::max(1, static_cast<int>(extent[c] / cells.side));
+  for (int c = 0; c < 3; ++c) nth(counts, c) = std::max(1, static_cast<int>(extent[c] / cells.side));
   const Vec3 first(0.5 * (1 - counts[0]), 0.5 * (1 - counts[1]), 0.5 * (1 - counts[2]));
   const Vec3 middle = 0.5 * (box.low + box.high);
   for (int i = 0; i < counts[0]; ++i)
@@ -217,8 +215,8 @@ Body make_body(const TriangleSurface& given, const BodyOptions& options) {
   std::vector<char> taken(surface.points.size(), 0);
   for (const auto& t : surface.triangles)
     for (const LocalIndex corner : t) {
-      char& seen = taken[static_cast<std::size_t>(corner)];
-      if (!seen) used.push_back(surface.points[static_cast<std::size_t>(corner)]);
+      char& seen = nth(taken, corner);
+      if (!seen) used.push_back(nth(surface.points, corner));
       seen = 1;
     }
   // by position: the result does not depend on the order of points and triangles

@@ -90,7 +90,7 @@ void DepthAscent::lay_rows_of(const geometry::SlabTree& tree, std::vector<LocalI
   };
   std::vector<Kept> kept;
   for (const LocalIndex t : list) {
-    const geometry::Triangle& triangle = tree.triangles[static_cast<std::size_t>(t)];
+    const geometry::Triangle& triangle = nth(tree.triangles, t);
     const bool first = t == here.triangle;
     // outside, only the nearest triangle counts: the maximum of concave functions
     if (here.depth < 0 && !first) continue;

@@ -52,7 +52,7 @@ struct Hull {
     Vec3 sum = Vec3::Zero();
     double total = 0;
     for (std::size_t k = 0; k < program.active().size(); ++k) {
-      const std::size_t i = set[static_cast<std::size_t>(program.active()[k])];
+      const std::size_t i = nth(set, program.active()[k]);
       sum += program.weights()[k] * (x - points[i]);
       total += program.weights()[k];
     }

@@ -109,9 +109,9 @@ bool correct_bounds(const Encounter& encounter, const RigidMotion& motion, const
   const Mat3& out = encounter.start.rotation;
   bool grew = false;
   for (NearCondition& condition : conditions) {
-    geometry::Triangle a = encounter.a.tree.triangles[static_cast<std::size_t>(condition.a)];
+    geometry::Triangle a = nth(encounter.a.tree.triangles, condition.a);
     for (Vec3& corner : a) corner = now(corner);
-    const geometry::Triangle& b = encounter.b.tree.triangles[static_cast<std::size_t>(condition.b)];
+    const geometry::Triangle& b = nth(encounter.b.tree.triangles, condition.b);
     const double gap = gap_of(a, b, out * condition.normal);
     if (!(gap < margin) || !std::isfinite(gap)) continue;
     const double bound = condition.normal.dot(tau + omega.cross(condition.arm)) + (margin - gap);

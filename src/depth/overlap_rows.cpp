@@ -148,7 +148,7 @@ std::vector<Vec3> corners_of(const geometry::SlabTree& tree, std::vector<LocalIn
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   for (const LocalIndex t : triangles)
-    for (const Vec3& x : tree.triangles[static_cast<std::size_t>(t)]) corners.push_back(x);
+    for (const Vec3& x : nth(tree.triangles, t)) corners.push_back(x);
   std::sort(corners.begin(), corners.end(), before);
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
@@ -172,9 +172,9 @@ void OverlapRows::add(const Place& place, const Vec3& normal, const Vec3& at, do
 }
 
 void OverlapRows::part(const Place& place, const geometry::NearPair& pair) {
-  Triangle a = place.encounter.a.tree.triangles[static_cast<std::size_t>(pair.a)];
+  Triangle a = nth(place.encounter.a.tree.triangles, pair.a);
   for (Vec3& corner : a) corner = place.now(corner);
-  const Triangle& b = place.encounter.b.tree.triangles[static_cast<std::size_t>(pair.b)];
+  const Triangle& b = nth(place.encounter.b.tree.triangles, pair.b);
   if (pair.distance > 0) {
     const Vec3 normal = (pair.on_a - pair.on_b) / pair.distance;
     if (normal.dot(normal_of(a)) <= passed && normal.dot(normal_of(b)) >= -passed)

@@ -38,9 +38,9 @@ Mat3 admitted(const Query& query, const Mat3& into) {
 Vec3 contact_normal(const Encounter& encounter, const Placement& placement, const NearCondition& condition) {
   const Vec3 normal = (encounter.start.rotation * condition.normal).normalized();
   if (condition.distance > clear_gap * encounter.a.shape.radius) return normal;
-  geometry::Triangle a = encounter.a.tree.triangles[static_cast<std::size_t>(condition.a)];
+  geometry::Triangle a = nth(encounter.a.tree.triangles, condition.a);
   for (Vec3& corner : a) corner = placement(corner);
-  const Vec3 axis = separating_axis(a, encounter.b.tree.triangles[static_cast<std::size_t>(condition.b)]);
+  const Vec3 axis = separating_axis(a, nth(encounter.b.tree.triangles, condition.b));
   return axis.squaredNorm() > 0 ? axis : normal;
 }
 
@@ -83,7 +83,7 @@ std::array<double, 3> bounds_of(const Encounter& encounter, const Query& query) 
 /// Starts, walks, certificate.
 void search_all(Encounter& encounter, const Query& query, const Mat3& basis, Answer& answer) {
   const std::array<double, 3> bounds = bounds_of(encounter, query);
-  answer.bound = bounds[static_cast<std::size_t>(query.metric)];
+  answer.bound = nth(bounds, query.metric);
   JointSearch joint(encounter, query, basis, bounds);
   const double sum = joint.small_motions().sum_of_overlaps(), deepest = bounds[0] - encounter.apart;
   if (!query.touching && std::max(sum, deepest) <= touch * encounter.a.shape.radius) {

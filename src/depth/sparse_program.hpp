@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/types.hpp"
 #include "depth/quadratic_program.hpp"
 
 namespace brunt::depth {
@@ -20,8 +21,8 @@ struct SparseRow {
   double bound = 0;
 
   void add(int unknown, double coefficient) {
-    place[static_cast<std::size_t>(count)] = unknown;
-    value[static_cast<std::size_t>(count++)] = coefficient;
+    nth(place, count) = unknown;
+    nth(value, count++) = coefficient;
   }
   /// n . x of a vector of all unknowns
   [[nodiscard]] double times(const double* x) const {

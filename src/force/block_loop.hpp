@@ -107,8 +107,8 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
   element::BatchMotion<nodes> motion;
   motion.dt = moved.dt;
   element::BatchForce<nodes> out;
-  const auto* before = reinterpret_cast<const Pack*>(committed[static_cast<std::size_t>(block_index)].data());
-  auto* after = reinterpret_cast<Pack*>(trial[static_cast<std::size_t>(block_index)].data());
+  const auto* before = reinterpret_cast<const Pack*>(nth(committed, block_index).data());
+  auto* after = reinterpret_cast<Pack*>(nth(trial, block_index).data());
   Quad* slots = reinterpret_cast<Quad*>(scratch.slots.data());
   const std::span<const std::uint8_t> of_block = lanes_of(moved.living, block_index);
   const KeptForces kept = kept_forces(scratch, block_index);

@@ -8,9 +8,7 @@
 namespace brunt::force {
 
 double reference_area(const model::Model& model, const mesh::ExteriorFace& face) {
-  const auto X = [&](std::size_t k) -> const Vec3& {
-    return model.mesh.coordinates[static_cast<std::size_t>(face.nodes[k])];
-  };
+  const auto X = [&](std::size_t k) -> const Vec3& { return nth(model.mesh.coordinates, face.nodes[k]); };
   const bool triangle = face.nodes[3] == no_index;
   const Vec3 first = triangle ? X(1) - X(0) : X(2) - X(0), second = triangle ? X(2) - X(0) : X(3) - X(1);
   return 0.5 * first.cross(second).norm();
@@ -20,8 +18,7 @@ void add_dead_loads(const model::Model& model, double time, model::Scratch& scra
   for (const model::DeadLoad& load : model.dead_loads) {
     const Vec3 value = model::value_at(load.curve, time) * load.value;
     const Quad whole{value[0], value[1], value[2]};
-    for (std::size_t k = 0; k < load.nodes.size(); ++k)
-      scratch.load[static_cast<std::size_t>(load.nodes[k])] += load.weight[k] * whole;
+    for (std::size_t k = 0; k < load.nodes.size(); ++k) nth(scratch.load, load.nodes[k]) += load.weight[k] * whole;
   }
 }
 

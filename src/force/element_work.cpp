@@ -12,7 +12,7 @@ Pack power_now(const model::ElementBlock& block, LocalIndex batch, const model::
   Pack sum = broadcast(0.0);
   for (int c = 0; c < block.corners; ++c) {
     const auto velocity = [&](int lane) {
-      return *reinterpret_cast<const Quad*>(state.nodes[static_cast<std::size_t>(node[c * pack_width + lane])].v);
+      return *reinterpret_cast<const Quad*>(nth(state.nodes, node[c * pack_width + lane]).v);
     };
     Pack v[3];
     components_of(velocity, v[0], v[1], v[2]);

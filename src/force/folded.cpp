@@ -40,9 +40,7 @@ void look_at(const model::ElementBlock& block, std::int32_t index, const model::
     const LocalIndex* node = block.node.data() + static_cast<std::ptrdiff_t>(batch) * hex_corners * pack_width;
     for (int c = 0; c < hex_corners; ++c) {
       const LocalIndex* corner = node + c * pack_width;
-      const auto position = [&](int lane) {
-        return *reinterpret_cast<const Quad*>(state.nodes[static_cast<std::size_t>(corner[lane])].x);
-      };
+      const auto position = [&](int lane) { return *reinterpret_cast<const Quad*>(nth(state.nodes, corner[lane]).x); };
       components_of(position, x[0][c], x[1][c], x[2][c]);
     }
     const Pack least = least_of_corners(x);

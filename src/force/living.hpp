@@ -21,7 +21,7 @@ constexpr std::uint8_t every_lane = 0xff;
 
 /// A bit for each lane of the batch with a living element. `lanes`: of the block; empty if all live.
 BRUNT_INLINE std::uint8_t living_lanes(std::span<const std::uint8_t> lanes, LocalIndex batch) {
-  return lanes.empty() ? every_lane : lanes[static_cast<std::size_t>(batch)];
+  return lanes.empty() ? every_lane : nth(lanes, batch);
 }
 
 /// Those of a block.
@@ -44,8 +44,7 @@ struct RepeatedLane {
     const int shown = std::countr_zero(living);
     for (int c = 0; c < nodes; ++c)
       for (int lane = 0; lane < pack_width; ++lane)
-        node[static_cast<std::size_t>(c * pack_width + lane)] =
-            nodes_of_batch[c * pack_width + (lives(living, lane) ? lane : shown)];
+        nth(node, c * pack_width + lane) = nodes_of_batch[c * pack_width + (lives(living, lane) ? lane : shown)];
     std::copy_n(committed, history_size, kept.begin());
     memory = kept;
     for (Pack& value : memory)

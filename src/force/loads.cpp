@@ -10,7 +10,7 @@ namespace brunt::force {
 namespace {
 
 Vec3 position(const model::State& state, LocalIndex node) {
-  return Eigen::Map<const Vec3>(state.nodes[static_cast<std::size_t>(node)].x);
+  return Eigen::Map<const Vec3>(nth(state.nodes, node).x);
 }
 
 }  // namespace

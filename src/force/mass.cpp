@@ -57,8 +57,7 @@ void lump_mass(const model::Model& model, model::State& state, model::Scratch& s
       const int lanes = std::min(pack_width, block.count - batch * pack_width);
       for (int lane = 0; lane < lanes; ++lane)
         for (int c = 0; c < block.corners; ++c)
-          scratch.force[static_cast<std::size_t>(block.corner_node(batch * pack_width + lane, c))] +=
-              Quad{corner_mass[lane]};
+          nth(scratch.force, block.corner_node(batch * pack_width + lane, c)) += Quad{corner_mass[lane]};
       for (const model::BorderCorner& kept : block.border.row(batch)) slots[kept.slot] = Quad{corner_mass[kept.lane]};
     }
   }

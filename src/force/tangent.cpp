@@ -38,7 +38,7 @@ bool gives_tangents(const material::Law& law) {
 
 void element_tangents(const model::Model& model, LocalIndex block, std::span<const LocalIndex> elements,
                       const Motion& motion, const History& committed, std::span<double> matrices) {
-  const model::ElementBlock& of = model.blocks[static_cast<std::size_t>(block)];
+  const model::ElementBlock& of = nth(model.blocks, block);
   const Tangents tangents = tangents_of(of.kind);
   if (tangents == nullptr)
     throw InputError(

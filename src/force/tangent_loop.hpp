@@ -37,7 +37,7 @@ void spread_element(const model::ElementBlock& block, LocalIndex element, const 
       motion.X[i][c] = broadcast(pass.model.reference[node][i]);
     }
   }
-  const double* history = pass.committed[static_cast<std::size_t>(pass.block_index)].data() +
+  const double* history = nth(pass.committed, pass.block_index).data() +
                           std::ptrdiff_t{element / pack_width} * Kernel::history_size * pack_width +
                           element % pack_width;
   for (int entry = 0; entry < Kernel::history_size; ++entry) committed[entry] = broadcast(history[entry * pack_width]);

@@ -48,7 +48,7 @@ Stretch part_in_cell(const Segment& segment, std::span<const Vec3> corners, doub
   Stretch part;
   for (const std::array<int, 4>& tet : cells::hex_tetrahedra) {
     std::array<Vec3, 4> of_tet;
-    for (std::size_t i = 0; i < 4; ++i) of_tet[i] = corners[static_cast<std::size_t>(tet[i])];
+    for (std::size_t i = 0; i < 4; ++i) of_tet[i] = nth(corners, tet[i]);
     const Stretch one = part_in_tetrahedron(segment, of_tet, slack);
     if (!one.is_empty()) part = {std::min(part.first, one.first), std::max(part.last, one.last)};
   }

@@ -128,8 +128,7 @@ void let_ties_carry(const Scene& scene, Solver& solver) {
   const std::vector<Mat3> carried = carried_by_ties(scene.links.ranks, movable_now(solver), solver.contact);
   for (std::size_t k = 0; k < carried.size(); ++k)
     if (nodes.own[k] != no_index && !carried[k].isZero(0))
-      solver.walls.nodes[static_cast<std::size_t>(solver.walls.node_of[static_cast<std::size_t>(nodes.own[k])])].tied =
-          carried[k];
+      nth(solver.walls.nodes, nth(solver.walls.node_of, nodes.own[k])).tied = carried[k];
 }
 
 }  // namespace

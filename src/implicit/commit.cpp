@@ -98,14 +98,14 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
     Vec3 travel = trial.rule.mass > 0 ? Vec3(dt * of(trial.velocity, i)) : Vec3(Vec3::Zero());
     // prescribed motion is applied in the first correction, which moves the adjacent nodes too
     if (const LocalIndex held = solver.held[i]; held != no_index)
-      travel = scene.model.constrained[static_cast<std::size_t>(held)].free * travel;
+      travel = nth(scene.model.constrained, held).free * travel;
     put(of(state.displacement[i]) + travel, solver.u, k);
   }
   if (solver.bodies.any()) begin_bodies(scene, solver, false);
   trial.iterate = 0;
   const std::size_t first = 3 * solver.unknowns.node.size();
   for (std::size_t k = 0; k < solver.contact.own.size(); ++k)
-    solver.u[first + k] = solver.contact.z_before[static_cast<std::size_t>(solver.contact.own[k])];
+    solver.u[first + k] = nth(solver.contact.z_before, solver.contact.own[k]);
 }
 
 void commit_step(const Scene& scene, Solver& solver) {

@@ -28,15 +28,14 @@ double travel_of(const model::Drive& drive, double time) {
 
 bool accelerates(const model::Model& model, const model::ConstrainedNode& node) {
   return std::ranges::any_of(node.drive, [&](std::int32_t drive) {
-    return drive >= 0 && model.drives[static_cast<std::size_t>(drive)].gives == model::Drive::Gives::acceleration;
+    return drive >= 0 && nth(model.drives, drive).gives == model::Drive::Gives::acceleration;
   });
 }
 
 /// Whether the prescribed motion of a body from t = 0 on contains rotations.
 bool is_hard_to_foresee(const model::Model& model, const model::RigidBody& body) {
   for (std::size_t c = 0; c < body.drive.size(); ++c)
-    if (body.drive[c] &&
-        (c >= 3 || model.drives[static_cast<std::size_t>(*body.drive[c])].gives == model::Drive::Gives::acceleration))
+    if (body.drive[c] && (c >= 3 || nth(model.drives, *body.drive[c]).gives == model::Drive::Gives::acceleration))
       return true;
   return false;
 }
@@ -44,7 +43,7 @@ bool is_hard_to_foresee(const model::Model& model, const model::RigidBody& body)
 /// The corner of a projection with the largest weight.
 LocalIndex nearest_node(const contact::MasterPlace& place) {
   const auto most = std::ranges::max_element(place.weights) - place.weights.begin();
-  return place.nodes[static_cast<std::size_t>(most)];
+  return nth(place.nodes, most);
 }
 
 /// The opening of a row, and its number among all.
@@ -74,7 +73,7 @@ class Widest {
     const LocalIndex master = nearest_node(face.tie.below[row]);
     Opening opening{share, of_implied ? 1 : 0, static_cast<GlobalIndex>(interface), face.place[row]};
     opening.slave = contact_.nodes.gid[slave];
-    if (master != no_index) opening.master = contact_.nodes.gid[static_cast<std::size_t>(master)];
+    if (master != no_index) opening.master = nth(contact_.nodes.gid, master);
     Eigen::Map<Vec3>(opening.apart.data()) = apart;
     Eigen::Map<Vec3>(opening.reference.data()) = contact_.nodes.reference[slave];
     if (found_.empty() || comes_before(opening, found_[0])) found_ = {opening};
@@ -100,7 +99,7 @@ void look_at_places(const MortarContact& contact, std::span<const Vec3> displace
     const Interface& face = contact.interfaces[k];
     for (std::size_t row = 0; face.pair.tied && row < face.count(); ++row) {
       if (face.given_apart[row].isZero(0)) continue;
-      const Vec3& of_slave = displacement[static_cast<std::size_t>(face.surfaces.rows[row])];
+      const Vec3& of_slave = nth(displacement, face.surfaces.rows[row]);
       widest.look(false, k, row,
                   face.given_apart[row] * contact::offset_from_below(face.tie.below[row], of_slave, displacement));
     }
@@ -126,7 +125,7 @@ void look_at_implied(const MortarContact& contact, Widest& widest) {
 std::vector<double> travel_by_supports(const model::Model& model, double time) {
   std::vector<double> travel(4 * static_cast<std::size_t>(model.nodes()), 0.0);
   const auto give = [&](LocalIndex node, std::size_t axis, std::int32_t drive) {
-    travel[4 * static_cast<std::size_t>(node) + axis] = travel_of(model.drives[static_cast<std::size_t>(drive)], time);
+    travel[4 * static_cast<std::size_t>(node) + axis] = travel_of(nth(model.drives, drive), time);
   };
   for (const model::ConstrainedNode& node : model.constrained) {
     for (std::size_t c = 0; c < 3; ++c)

@@ -22,9 +22,7 @@ double depth_of(const ContactNodes& nodes, const Interface& face) {
     const double depth = -face.mean_gap(row);
     if (!(depth > agreed * face.topology.edge && depth > deepest)) continue;
     const Vec3& normal = face.rows.normals[row];
-    const auto moves = [&](LocalIndex node) {
-      return (nodes.free[static_cast<std::size_t>(node)] * normal).norm() > held;
-    };
+    const auto moves = [&](LocalIndex node) { return (nth(nodes.free, node) * normal).norm() > held; };
     if (std::ranges::none_of(face.rows.weights.nodes.row(static_cast<LocalIndex>(row)), moves)) deepest = depth;
   }
   return deepest;
@@ -54,7 +52,7 @@ bool is_held(const model::Model& model, const Solver& solver, const WallNode& no
            (support.free_turn * arm.cross(direction)).norm() <= held * solver.bodies.radius[b];
   }
   Mat3 free = Mat3::Identity() - node.tied;
-  if (solver.held[i] != no_index) free = model.constrained[static_cast<std::size_t>(solver.held[i])].free * free;
+  if (solver.held[i] != no_index) free = nth(model.constrained, solver.held[i]).free * free;
   return (free * direction).norm() <= held;
 }
 
@@ -68,7 +66,7 @@ std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) 
     if (solver.held[i] == no_index && !carried && !node.springs) continue;
     const Vec3 x = of(scene.model.reference[i]) + of(scene.state.displacement[i]);
     for (std::int32_t k = 0; k < node.looked_at; ++k) {
-      const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
+      const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
       const Vec3& normal = scene.model.walls[w].normal;
       const double depth = walls.place[w] - normal.dot(x);
       const double least = carried ? of_carried : of_touching;
@@ -102,7 +100,7 @@ std::string warning_of(const std::string& one, const std::string& other, double 
 
 bool yields_to_walls(const model::Model& model, const Solver& solver, const WallNode& node) {
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
-    const auto w = static_cast<std::size_t>(solver.walls.wall[static_cast<std::size_t>(node.kept[k])]);
+    const auto w = static_cast<std::size_t>(nth(solver.walls.wall, node.kept[k]));
     if (!is_held(model, solver, node, model.walls[w].normal)) return true;
   }
   return false;
@@ -111,9 +109,7 @@ bool yields_to_walls(const model::Model& model, const Solver& solver, const Wall
 std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const std::string& length_unit) {
   std::vector<std::string> warnings;
   if (!scene.links.ranks.any(!scene.model.constrained.empty()) && scene.model.bodies.empty()) return warnings;
-  const auto part = [&](std::int32_t block) -> const std::string& {
-    return scene.model.blocks[static_cast<std::size_t>(block)].part;
-  };
+  const auto part = [&](std::int32_t block) -> const std::string& { return nth(scene.model.blocks, block).part; };
   double* next = solver.driven.data();
   std::vector<double> depths(scene.model.mortar.size(), 0.0);
   std::vector<const contact::MortarPair*> pairs(depths.size());

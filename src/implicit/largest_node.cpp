@@ -9,8 +9,7 @@ LargestNode largest_node(const Scene& scene, const Solver& solver, std::span<con
   LargestNode most;
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k) {
     const double size = Vec3(&values[3 * k]).norm();
-    if (size > most.size || std::isnan(size))
-      most = {size, scene.model.mesh.node_gid[static_cast<std::size_t>(solver.unknowns.node[k])]};
+    if (size > most.size || std::isnan(size)) most = {size, nth(scene.model.mesh.node_gid, solver.unknowns.node[k])};
   }
   const double largest = scene.links.ranks.max(most.size);
   const GlobalIndex mine = most.size == largest && most.gid >= 0 ? -most.gid : -scene.model.mesh.global_nodes;

@@ -28,7 +28,7 @@ void drive(const model::Model& model, const model::RigidBody& body, const rigid:
   for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
     if (!body.drive[dof]) continue;
     const auto c = static_cast<int>(dof % 3);
-    const model::Drive& by = model.drives[static_cast<std::size_t>(*body.drive[dof])];
+    const model::Drive& by = nth(model.drives, *body.drive[dof]);
     const Given given = driven(by, dof < 3 ? before.velocity[c] : spin[c], from, to);
     (dof < 3 ? trial.given_shift : trial.given_turn)[c] = given.travel;
     (dof < 3 ? trial.given_velocity : trial.given_spin)[c] = given.velocity;
@@ -85,8 +85,7 @@ RigidBodies make_bodies(const comm::Communicator& ranks, const model::Model& mod
       while (next_forced < body.forced.size() && static_cast<std::size_t>(body.forced[next_forced]) < k) ++next_forced;
       if (own == unknowns.node.end() || *own != static_cast<LocalIndex>(i)) return;
       const bool forced = next_forced < body.forced.size() && static_cast<std::size_t>(body.forced[next_forced]) == k;
-      bodies.place[static_cast<std::size_t>(own - unknowns.node.begin())] = {static_cast<LocalIndex>(b), forced,
-                                                                             body.arm[k]};
+      nth(bodies.place, own - unknowns.node.begin()) = {static_cast<LocalIndex>(b), forced, body.arm[k]};
     });
   }
   return bodies;
@@ -97,7 +96,7 @@ void soften_walls(const comm::Communicator& ranks, const model::Model& model, So
   if (!bodies.any() || !solver.walls.any()) return;
   std::vector<GlobalIndex> nodes(bodies.trial.size(), 0);
   for (const RigidBodies::Place& place : bodies.place)
-    if (place.body != no_index) ++nodes[static_cast<std::size_t>(place.body)];
+    if (place.body != no_index) ++nth(nodes, place.body);
   ranks.sum(nodes);
   for (std::size_t b = 0; b < nodes.size(); ++b) {
     const double of_face = std::cbrt(static_cast<double>(nodes[b] * nodes[b]));
@@ -113,7 +112,7 @@ void fit_wall_springs(Solver& solver) {
   for (const WallNode& node : solver.walls.nodes) {
     if (!node.springs || (!statics && node.behind_before > 0)) continue;
     const auto body = static_cast<std::size_t>(solver.bodies.place[node.own].body);
-    solver.memory.wall_stiffness[static_cast<std::size_t>(solver.unknowns.node[node.own])] =
+    nth(solver.memory.wall_stiffness, solver.unknowns.node[node.own]) =
         statics ? solver.support_stiffness : solver.bodies.at_walls[body] / (dt * dt);
   }
 }

@@ -30,7 +30,7 @@ Piece piece_of(const Solver& solver, std::size_t own) {
   piece.node = solver.unknowns.row[3 * own] / 3;
   piece.body = place.body;
   Eigen::Map<Vec3>(static_cast<double*>(piece.arm)) =
-      arm_of(solver.bodies.trial[static_cast<std::size_t>(place.body)], place.arm, solver.trial.rule.mass > 0);
+      arm_of(nth(solver.bodies.trial, place.body), place.arm, solver.trial.rule.mass > 0);
   return piece;
 }
 
@@ -42,9 +42,8 @@ void take_blocks(const Solver& solver, std::vector<Piece>& pieces) {
     Piece piece = piece_of(solver, own);
     for (std::int64_t at = rows.begin[own]; at < rows.begin[own + 1]; ++at)
       for (int j = 0; j < 3; ++j) {
-        piece.column = 3 * rows.column[static_cast<std::size_t>(at)] + j;
-        for (int i = 0; i < 3; ++i)
-          piece.slope[i] = solver.trial.rule.now * rows.value[static_cast<std::size_t>(9 * at + 3 * i + j)];
+        piece.column = 3 * nth(rows.column, at) + j;
+        for (int i = 0; i < 3; ++i) piece.slope[i] = solver.trial.rule.now * nth(rows.value, 9 * at + 3 * i + j);
         if (piece.slope[0] != 0 || piece.slope[1] != 0 || piece.slope[2] != 0) pieces.push_back(piece);
       }
   }

@@ -61,8 +61,7 @@ void start_memory(const Scene& scene, Solver& solver) {
   begin_step(scene, solver, solver.settings.step, scene.state.time);
   for (std::size_t k = 0; k < solver.unknowns.node.size(); ++k)  // at rest at the positions of the nodes
     for (std::size_t c = 0; c < 3; ++c)
-      solver.u[3 * k + c] =
-          scene.state.displacement[static_cast<std::size_t>(solver.unknowns.node[k])][static_cast<int>(c)];
+      solver.u[3 * k + c] = nth(scene.state.displacement, solver.unknowns.node[k])[static_cast<int>(c)];
   if (solver.bodies.any()) begin_bodies(scene, solver, true);
   (void)find_forces(scene, solver, solver.u);
   for (std::size_t i = 0; i < n; ++i)
@@ -76,7 +75,7 @@ void start_memory(const Scene& scene, Solver& solver) {
     Vec3 force(&memory.internal_force[3 * i]);
     if (!memory.load.empty()) force += Vec3(&memory.load[3 * i]);
     if (const LocalIndex held = solver.held[i]; held != no_index)
-      force = scene.model.constrained[static_cast<std::size_t>(held)].free * force;
+      force = nth(scene.model.constrained, held).free * force;
     Eigen::Map<Vec3>(&memory.acceleration[3 * i]) = force / scene.state.nodes[i].mass;
   }
   if (kept.inertial) {
@@ -132,7 +131,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
   }
   solver.held.assign(scene.state.nodes.size(), no_index);
   for (std::size_t k = 0; k < model.constrained.size(); ++k)
-    solver.held[static_cast<std::size_t>(model.constrained[k].node)] = static_cast<LocalIndex>(k);
+    nth(solver.held, model.constrained[k].node) = static_cast<LocalIndex>(k);
   solver.trial.displacement.assign(3 * scene.state.nodes.size(), 0.0);
   solver.trial.velocity.assign(3 * scene.state.nodes.size(), 0.0);
   const double spacing = scale_supports(scene, solver);

@@ -32,7 +32,7 @@ Vec3 support_force(const model::Model& model, const Solver& solver, std::size_t 
   const LocalIndex held = solver.held[node];
   if (held == no_index) return Vec3::Zero();
   const Vec3 acting = acting_on(solver.memory, node);
-  return model.constrained[static_cast<std::size_t>(held)].free * acting - acting;
+  return nth(model.constrained, held).free * acting - acting;
 }
 
 model::Wrench force_on_body(const Scene& scene, const Solver& solver, std::size_t body) {
@@ -44,7 +44,7 @@ model::Wrench force_on_body(const Scene& scene, const Solver& solver, std::size_
     const Vec3 force = acting_on(solver.memory, static_cast<std::size_t>(solver.unknowns.node[own]));
     const Vec3 moment = (turn * place.arm).cross(force);
     for (int c = 0; c < 3; ++c) {
-      sums[static_cast<std::size_t>(c)].add(force[c]);
+      nth(sums, c).add(force[c]);
       sums[static_cast<std::size_t>(c) + 3].add(moment[c]);
     }
   }

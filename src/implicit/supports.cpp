@@ -31,10 +31,10 @@ void prescribe(const Scene& scene, Trial& trial) {
   for (std::size_t k = 0; k < model.constrained.size(); ++k) {
     const model::ConstrainedNode& node = model.constrained[k];
     for (int c = 0; c < 3; ++c) {
-      const std::int32_t drive = node.drive[static_cast<std::size_t>(c)];
+      const std::int32_t drive = nth(node.drive, c);
       if (drive < 0) continue;
       const double before = trial.velocity[3 * static_cast<std::size_t>(node.node) + static_cast<std::size_t>(c)];
-      const Given given = driven(model.drives[static_cast<std::size_t>(drive)], before, trial.time_before, trial.time);
+      const Given given = driven(nth(model.drives, drive), before, trial.time_before, trial.time);
       trial.given[k][c] = given.travel;
       trial.given_velocity[k][c] = given.velocity;
     }

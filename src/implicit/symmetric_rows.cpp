@@ -43,8 +43,8 @@ std::vector<Entry> transposed(const comm::Communicator& ranks, const Solver& sol
     for (auto k = static_cast<std::size_t>(rows.begin[r]); k < static_cast<std::size_t>(rows.begin[r + 1]); ++k) {
       const GlobalIndex column = rows.column[k];
       if (is.multiplier(column) && !is.multiplier(row)) continue;
-      const Rank owner = solver.stability.owner_of[static_cast<std::size_t>(column)];
-      auto& list = owner == ranks.rank() ? entries : to_rank[static_cast<std::size_t>(owner)];
+      const Rank owner = nth(solver.stability.owner_of, column);
+      auto& list = owner == ranks.rank() ? entries : nth(to_rank, owner);
       list.push_back({column, row, 0, rows.value[k]});
     }
   }
@@ -143,8 +143,8 @@ void carry(const Solver& solver, std::span<const Entry> entries, std::size_t own
 
 Mat3 admitted_at(const Scene& scene, const Solver& solver, std::size_t own) {
   if (const WallAction* walls = action_of(solver.walls, own)) return walls->free;
-  const LocalIndex held = solver.held[static_cast<std::size_t>(solver.unknowns.node[own])];
-  return held == no_index ? Mat3(Mat3::Identity()) : scene.model.constrained[static_cast<std::size_t>(held)].free;
+  const LocalIndex held = nth(solver.held, solver.unknowns.node[own]);
+  return held == no_index ? Mat3(Mat3::Identity()) : nth(scene.model.constrained, held).free;
 }
 
 /// Factor of the entry of a multiplier in its own equation. B is the force of a pressure times Interface::by_gap; with
@@ -171,7 +171,7 @@ std::vector<Rank> owners_of_unknowns(const comm::Communicator& ranks, const comm
   const Ragged<GlobalIndex> told = comm::exchange(ranks, all);
   std::vector<Rank> owner_of(told.values.size());
   for (LocalIndex r = 0; r < told.rows(); ++r)
-    for (const GlobalIndex row : told.row(r)) owner_of[static_cast<std::size_t>(row)] = r;
+    for (const GlobalIndex row : told.row(r)) nth(owner_of, row) = r;
   return owner_of;
 }
 

@@ -23,12 +23,11 @@ Rates rates_of(const Interface& face, std::span<const Vec3> velocity) {
     const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index), turned = face.levers.nodes.row(index);
     Vec3 rate = Vec3::Zero();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Vec3& v = velocity[static_cast<std::size_t>(nodes[k])];
+      const Vec3& v = nth(velocity, nodes[k]);
       rate += face.tie.weights.row(index)[k] * v;
       rates.speed = std::max(rates.speed, v.norm());
     }
-    for (std::size_t k = 0; k < turned.size(); ++k)
-      rate += face.levers.row(index)[k] * velocity[static_cast<std::size_t>(turned[k])];
+    for (std::size_t k = 0; k < turned.size(); ++k) rate += face.levers.row(index)[k] * nth(velocity, turned[k]);
     rates.apart = std::max(rates.apart, (face.tied[row] * rate).norm() / face.tie.covered[row]);
   }
   return rates;
@@ -53,7 +52,7 @@ std::vector<std::string> warnings_of_tied_velocities(const Scene& scene, const S
     const Rates rates = rates_of(face, velocity);
     const double apart = scene.links.ranks.max(rates.apart), speed = scene.links.ranks.max(rates.speed);
     if (!(apart > time::same_speed * speed)) continue;
-    const auto part = [&](std::int32_t b) { return scene.model.blocks[static_cast<std::size_t>(b)].part; };
+    const auto part = [&](std::int32_t b) { return nth(scene.model.blocks, b).part; };
     warnings.push_back(fmt::format(
         "{}: the initial velocities of the tied parts {} and {} differ by {:.3g}{} at their seam; the force "
         "of the tie will alternate from step to step. Give both parts the same velocity there",

@@ -20,7 +20,7 @@ Core core_cells(const RoundedCore& shape) {
   Core core{box("core", Vec3::Ones(), {cells, cells, cells}), {}};
   for (LocalIndex n = 0; n < static_cast<LocalIndex>(core.mesh.coordinates.size()); ++n) {
     const auto& cell = core.cell.emplace_back(std::array<int, 3>{n % row - k, n / row % row - k, n / (row * row) - k});
-    core.mesh.coordinates[static_cast<std::size_t>(n)] = shape.inside(cell);
+    nth(core.mesh.coordinates, n) = shape.inside(cell);
   }
   return core;
 }
@@ -29,20 +29,20 @@ Core core_cells(const RoundedCore& shape) {
 /// `kept[node]`: its new number, or none.
 std::vector<LocalIndex> cut(std::vector<Vec3>& coordinates, std::vector<LocalIndex>& nodes, const Half& half) {
   const auto inside = [&](LocalIndex n) {
-    const Vec3& x = coordinates[static_cast<std::size_t>(n)];
+    const Vec3& x = nth(coordinates, n);
     return half[0] * x[0] >= 0 && half[1] * x[1] >= 0 && half[2] * x[2] >= 0;
   };
   std::vector<LocalIndex> kept(coordinates.size(), no_index), left;
   for (auto element = nodes.begin(); element != nodes.end(); element += 8)
     if (std::all_of(element, element + 8, inside)) left.insert(left.end(), element, element + 8);
-  for (const LocalIndex n : left) kept[static_cast<std::size_t>(n)] = 0;
+  for (const LocalIndex n : left) nth(kept, n) = 0;
   std::vector<Vec3> of_kept;
   for (std::size_t n = 0; n < kept.size(); ++n) {
     if (kept[n] == no_index) continue;
     kept[n] = static_cast<LocalIndex>(of_kept.size());
     of_kept.push_back(coordinates[n]);
   }
-  for (LocalIndex& n : left) n = kept[static_cast<std::size_t>(n)];
+  for (LocalIndex& n : left) n = nth(kept, n);
   coordinates = std::move(of_kept);
   nodes = std::move(left);
   return kept;
@@ -69,12 +69,12 @@ Ball ball(const RoundedCore& shape, const Half& half) {
   for (int shell = 1; shell <= shape.shells(); ++shell) {
     std::vector<LocalIndex> above(below.size(), no_index);
     for (const LocalIndex n : surface) {
-      above[static_cast<std::size_t>(n)] = static_cast<LocalIndex>(coordinates.size());
-      coordinates.push_back(shape.outside(core.cell[static_cast<std::size_t>(n)], shell));
+      nth(above, n) = static_cast<LocalIndex>(coordinates.size());
+      coordinates.push_back(shape.outside(nth(core.cell, n), shell));
     }
     for (const Side& side : skin)
       for (const auto* level : {&below, &above})
-        for (const LocalIndex n : face(side)) nodes.push_back((*level)[static_cast<std::size_t>(n)]);
+        for (const LocalIndex n : face(side)) nodes.push_back(nth((*level), n));
     below = std::move(above);
   }
   const std::size_t first_outer = coordinates.size() - surface.size();

@@ -22,8 +22,8 @@ Box bounding_box(const Mesh& mesh) {
   Box box;
   for (const Block& block : mesh.blocks)
     for (const LocalIndex n : block.nodes) {
-      box.low = box.low.cwiseMin(mesh.coordinates[static_cast<std::size_t>(n)]);
-      box.high = box.high.cwiseMax(mesh.coordinates[static_cast<std::size_t>(n)]);
+      box.low = box.low.cwiseMin(nth(mesh.coordinates, n));
+      box.high = box.high.cwiseMax(nth(mesh.coordinates, n));
     }
   return box;
 }
@@ -45,27 +45,23 @@ Vec3 rounded_origin(const Box& box) {
 std::uint64_t curve_position(const Mesh& mesh, const Block& block, LocalIndex e, const Box& box) {
   const int corners = nodes_per_element(block.shape);
   Vec3 centroid = Vec3::Zero();
-  for (int k = 0; k < corners; ++k)
-    centroid += (mesh.coordinates[static_cast<std::size_t>(block.element(e)[k])] - box.low) / corners;
+  for (int k = 0; k < corners; ++k) centroid += (nth(mesh.coordinates, block.element(e)[k]) - box.low) / corners;
   constexpr double cells = std::uint32_t{1} << hilbert_bits;
   const double size = box.size();
   std::array<std::uint32_t, 3> cell{};
   for (int i = 0; i < 3; ++i)
-    cell[static_cast<std::size_t>(i)] =
-        size > 0 ? static_cast<std::uint32_t>(std::clamp(centroid[i] / size * cells, 0.0, cells - 1)) : 0;
+    nth(cell, i) = size > 0 ? static_cast<std::uint32_t>(std::clamp(centroid[i] / size * cells, 0.0, cells - 1)) : 0;
   return hilbert_position(cell);
 }
 
 /// Old positions of the block's elements in their new order.
 std::vector<LocalIndex> curve_order(const Mesh& mesh, const Block& block, const Box& box) {
   std::vector<std::uint64_t> position(static_cast<std::size_t>(block.count()));
-  for (LocalIndex e = 0; e < block.count(); ++e)
-    position[static_cast<std::size_t>(e)] = curve_position(mesh, block, e, box);
+  for (LocalIndex e = 0; e < block.count(); ++e) nth(position, e) = curve_position(mesh, block, e, box);
   std::vector<LocalIndex> order(position.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](LocalIndex a, LocalIndex b) {
-    return position[static_cast<std::size_t>(a)] < position[static_cast<std::size_t>(b)];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](LocalIndex a, LocalIndex b) { return nth(position, a) < nth(position, b); });
   return order;
 }
 
@@ -76,7 +72,7 @@ Block reordered(const Block& block, const std::vector<LocalIndex>& order) {
   for (const LocalIndex e : order) {
     const LocalIndex* nodes = block.element(e);
     result.nodes.insert(result.nodes.end(), nodes, nodes + nodes_per_element(block.shape));
-    result.element_id.push_back(block.element_id[static_cast<std::size_t>(e)]);
+    result.element_id.push_back(nth(block.element_id, e));
   }
   return result;
 }
@@ -84,7 +80,7 @@ Block reordered(const Block& block, const std::vector<LocalIndex>& order) {
 template <class T>
 std::vector<T> inverse(const std::vector<T>& order) {
   std::vector<T> position(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) position[static_cast<std::size_t>(order[i])] = static_cast<T>(i);
+  for (std::size_t i = 0; i < order.size(); ++i) nth(position, order[i]) = static_cast<T>(i);
   return position;
 }
 
@@ -103,8 +99,7 @@ void order_elements(CanonicalMesh& result) {
     position.push_back(inverse(order));
   }
   for (auto& [name, sides] : mesh.side_sets) {
-    for (Side& side : sides)
-      side.element = position[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.element)];
+    for (Side& side : sides) side.element = nth(nth(position, side.block), side.element);
     std::sort(sides.begin(), sides.end());
     sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
   }
@@ -130,7 +125,7 @@ void order_nodes(CanonicalMesh& result) {
   mesh.coordinates = std::move(coordinates);
   mesh.node_id = std::move(id);
   for (auto& [name, nodes] : mesh.node_sets) {
-    for (LocalIndex& node : nodes) node = position[static_cast<std::size_t>(node)];
+    for (LocalIndex& node : nodes) node = nth(position, node);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
@@ -141,12 +136,12 @@ void order_nodes(CanonicalMesh& result) {
 LocalIndex drop_unused_nodes(Mesh& mesh) {
   std::vector<LocalIndex> position(mesh.coordinates.size(), no_index);
   for (const Block& block : mesh.blocks)
-    for (const LocalIndex node : block.nodes) position[static_cast<std::size_t>(node)] = 0;
+    for (const LocalIndex node : block.nodes) nth(position, node) = 0;
   LocalIndex kept = 0;
   for (std::size_t n = 0; n < position.size(); ++n) {
     if (position[n] == no_index) continue;
-    mesh.coordinates[static_cast<std::size_t>(kept)] = mesh.coordinates[n];
-    mesh.node_id[static_cast<std::size_t>(kept)] = mesh.node_id[n];
+    nth(mesh.coordinates, kept) = mesh.coordinates[n];
+    nth(mesh.node_id, kept) = mesh.node_id[n];
     position[n] = kept++;
   }
   const auto dropped = static_cast<LocalIndex>(position.size()) - kept;
@@ -154,9 +149,9 @@ LocalIndex drop_unused_nodes(Mesh& mesh) {
   mesh.coordinates.resize(static_cast<std::size_t>(kept));
   mesh.node_id.resize(static_cast<std::size_t>(kept));
   for (Block& block : mesh.blocks)
-    for (LocalIndex& node : block.nodes) node = position[static_cast<std::size_t>(node)];
+    for (LocalIndex& node : block.nodes) node = nth(position, node);
   for (auto& [name, nodes] : mesh.node_sets) {
-    for (LocalIndex& node : nodes) node = position[static_cast<std::size_t>(node)];
+    for (LocalIndex& node : nodes) node = nth(position, node);
     std::erase(nodes, no_index);
   }
   return dropped;

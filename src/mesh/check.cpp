@@ -42,8 +42,7 @@ std::string shown(const Block& block) {
 template <class Visit>
 void for_each_element(const Mesh& mesh, Visit visit) {
   for (const Block& block : mesh.blocks)
-    for (LocalIndex e = 0; e < block.count(); ++e)
-      visit(block, block.element(e), block.element_id[static_cast<std::size_t>(e)]);
+    for (LocalIndex e = 0; e < block.count(); ++e) visit(block, block.element(e), nth(block.element_id, e));
 }
 
 void check_blocks(const Mesh& mesh, std::vector<std::string>& faults) {
@@ -82,7 +81,7 @@ void check_indices(const Mesh& mesh, std::vector<std::string>& faults) {
   for (const auto& [name, sides] : mesh.side_sets)
     for (const Side& s : sides) {
       const bool known = s.block >= 0 && s.block < static_cast<LocalIndex>(mesh.blocks.size());
-      const Block* block = known ? &mesh.blocks[static_cast<std::size_t>(s.block)] : nullptr;
+      const Block* block = known ? &nth(mesh.blocks, s.block) : nullptr;
       if (!block || s.element < 0 || s.element >= block->count() || s.face < 0 ||
           s.face >= faces_per_element(block->shape))
         lines.add(fmt::format(
@@ -108,8 +107,7 @@ void check_jacobians(const Mesh& mesh, std::vector<std::string>& faults) {
     const WorstJacobian worst = worst_jacobian(block.shape, element, mesh.coordinates);
     if (worst.scaled > 1e-12) return;
     const std::string where =
-        worst.corner < 0 ? "its centre"
-                         : fmt::format("node {}", mesh.node_id[static_cast<std::size_t>(element[worst.corner])]);
+        worst.corner < 0 ? "its centre" : fmt::format("node {}", nth(mesh.node_id, element[worst.corner]));
     lines.add(
         fmt::format("invalid element {} ({}): the Jacobian at {} is not positive ({:.3g} of the product of its edges); "
                     "expected a positive Jacobian",
@@ -125,13 +123,13 @@ void check_duplicate_elements(const Mesh& mesh, std::vector<std::string>& faults
 void warn_unused(const Mesh& mesh, std::vector<std::string>& warnings) {
   std::vector<bool> used(mesh.coordinates.size(), false);
   for (const Block& block : mesh.blocks)
-    for (const LocalIndex n : block.nodes) used[static_cast<std::size_t>(n)] = true;
+    for (const LocalIndex n : block.nodes) nth(used, n) = true;
   const auto count = std::count(used.begin(), used.end(), false);
   if (count == 0) return;
   const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
   std::string sets;
   for (const auto& [name, nodes] : mesh.node_sets) {
-    const auto lost = std::ranges::count_if(nodes, [&](LocalIndex n) { return !used[static_cast<std::size_t>(n)]; });
+    const auto lost = std::ranges::count_if(nodes, [&](LocalIndex n) { return !nth(used, n); });
     if (lost > 0) sets += fmt::format("; node set {} loses {} of its {} nodes", excerpt(name), lost, nodes.size());
   }
   warnings.push_back(fmt::format("{} belong{} to no element and {} excluded (the first is node {}){}",
@@ -156,8 +154,7 @@ void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {
   const auto body = bodies(mesh);
   std::size_t position = 0;
   for_each_element(mesh, [&](const Block& block, const LocalIndex* element, GlobalIndex) {
-    for (int k = 0; k < nodes_per_element(block.shape); ++k)
-      body_of[static_cast<std::size_t>(element[k])] = body[position];
+    for (int k = 0; k < nodes_per_element(block.shape); ++k) nth(body_of, element[k]) = body[position];
     ++position;
   });
   std::vector<Place> places;
@@ -172,7 +169,7 @@ void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i].body == places[i - 1].body && places[i].cell == places[i - 1].cell && count++ == 0) first = i;
   if (count == 0) return;
-  const auto id = [&](std::size_t i) { return mesh.node_id[static_cast<std::size_t>(places[i].node)]; };
+  const auto id = [&](std::size_t i) { return nth(mesh.node_id, places[i].node); };
   warnings.push_back(fmt::format(
       "{} nodes coincide with another node of the same body (for example nodes {} and {}): the mesh has a crack there",
       count, id(first - 1), id(first)));

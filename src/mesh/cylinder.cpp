@@ -57,8 +57,7 @@ void add_sector_planes(const Mesh& mesh, const std::string& part, const Sector& 
       const double along = cosine * x[0] + sine * x[1], off = cosine * x[1] - sine * x[0];
       in_plane.push_back(std::abs(off) <= 1e-9 * along || (x[0] == 0 && x[1] == 0));
     }
-    sets.push_back({part + (first ? "_from" : "_to"),
-                    [in_plane](LocalIndex n) { return in_plane[static_cast<std::size_t>(n)] != 0; }});
+    sets.push_back({part + (first ? "_from" : "_to"), [in_plane](LocalIndex n) { return nth(in_plane, n) != 0; }});
   }
 }
 
@@ -67,8 +66,7 @@ Mesh finished(const std::string& part, RoundBody body, const RoundForm& form) {
   std::vector<SurfaceSet> sets;
   const auto add = [&](const char* name, Marks bit) {
     if (std::ranges::none_of(mark, [bit](Marks one) { return (one & bit) != 0; })) return;
-    sets.push_back(
-        {part + name, [&mark, bit](LocalIndex n) { return (mark[static_cast<std::size_t>(n)] & bit) != 0; }});
+    sets.push_back({part + name, [&mark, bit](LocalIndex n) { return (nth(mark, n) & bit) != 0; }});
   };
   add("_bottom", on_bottom);
   add("_top", on_top);
@@ -146,8 +144,8 @@ Mesh tube(const std::string& part, double inner_radius, double outer_radius, dou
   const Section section = annulus(rays);
   std::vector<Marks> mark(section.points.size(), 0);
   for (int c = 0; c < static_cast<int>(rays.cosines.size()); ++c) {
-    if (!rays.solid()) mark[static_cast<std::size_t>(rays.point(c, 0))] |= on_inner;
-    mark[static_cast<std::size_t>(rays.point(c, elements[0]))] |= on_side;
+    if (!rays.solid()) nth(mark, rays.point(c, 0)) |= on_inner;
+    nth(mark, rays.point(c, elements[0])) |= on_side;
   }
   RoundBody body = shank(section, places(elements[2], 0, length), mark);
   if (form.nose.shape == Nose::Shape::none) {

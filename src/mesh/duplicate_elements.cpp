@@ -51,7 +51,7 @@ std::string shown(const Block& block) {
 }
 
 GlobalIndex id_of(const Block& block, LocalIndex e) {
-  return block.element_id[static_cast<std::size_t>(e)];
+  return nth(block.element_id, e);
 }
 
 struct Box {
@@ -112,10 +112,8 @@ class PlaceFinder {
   }
 
  private:
-  [[nodiscard]] const Vec3& at(LocalIndex n) const { return mesh_.coordinates[static_cast<std::size_t>(n)]; }
-  [[nodiscard]] const Block& block(const Element& element) const {
-    return mesh_.blocks[static_cast<std::size_t>(element.block)];
-  }
+  [[nodiscard]] const Vec3& at(LocalIndex n) const { return nth(mesh_.coordinates, n); }
+  [[nodiscard]] const Block& block(const Element& element) const { return nth(mesh_.blocks, element.block); }
   [[nodiscard]] Box box_of(const Element& element) const {
     Box box;
     const Block& of = block(element);
@@ -127,13 +125,13 @@ class PlaceFinder {
     cell.fill(0);
     for (int i = 0; i < 3; ++i) {
       const auto index = static_cast<std::int64_t>(std::floor(x[i] / cell_));
-      cell[static_cast<std::size_t>(2 * i)] = static_cast<LocalIndex>(index & 0xFFFFFF);
-      cell[static_cast<std::size_t>(2 * i + 1)] = static_cast<LocalIndex>((index >> 24) & 0xFFFFFF);
+      nth(cell, 2 * i) = static_cast<LocalIndex>(index & 0xFFFFFF);
+      nth(cell, 2 * i + 1) = static_cast<LocalIndex>((index >> 24) & 0xFFFFFF);
     }
     return code_of(cell);
   }
   [[nodiscard]] bool in_same_place(const Element& a, const Element& b, double margin) const {
-    if (piece_[static_cast<std::size_t>(a.block)] == piece_[static_cast<std::size_t>(b.block)]) return false;
+    if (nth(piece_, a.block) == nth(piece_, b.block)) return false;
     const Corners of_a = corners_of(block(a), a.element), of_b = corners_of(block(b), b.element);
     for (std::size_t k = 0; k < of_a.size(); ++k) {
       if ((of_a[k] == no_index) != (of_b[k] == no_index)) return false;
@@ -160,7 +158,7 @@ std::vector<std::string> duplicate_elements(const Mesh& mesh) {
       coded.emplace_back(code_of(corners_of(mesh.blocks[b], e)), Element{static_cast<LocalIndex>(b), e});
   std::ranges::stable_sort(coded, {}, [](const auto& entry) { return entry.first; });
   std::vector<std::pair<Element, Element>> duplicates;
-  const auto block = [&](const Element& e) -> const Block& { return mesh.blocks[static_cast<std::size_t>(e.block)]; };
+  const auto block = [&](const Element& e) -> const Block& { return nth(mesh.blocks, e.block); };
   for (std::size_t first = 0, i = 1; i < coded.size(); ++i) {
     if (coded[i].first != coded[first].first) first = i;
     for (std::size_t j = first; j < i; ++j) {
@@ -194,8 +192,7 @@ std::vector<std::string> coincident_elements(const Mesh& mesh, const std::vector
   });
   std::vector<std::string> lines;
   for (const auto& [blocks, pair] : found) {
-    const Block &one = mesh.blocks[static_cast<std::size_t>(blocks.first)],
-                &other = mesh.blocks[static_cast<std::size_t>(blocks.second)];
+    const Block &one = nth(mesh.blocks, blocks.first), &other = nth(mesh.blocks, blocks.second);
     lines.push_back(fmt::format(
         "invalid {} and {}: {} element{} of one coincide{} with elements of the other (elements {} and {}{}), so "
         "mass would be counted twice; expected each body once, and independent bodies apart (at)",

@@ -21,7 +21,7 @@ constexpr Corners bit(int corner) {
 bool is_edge(Corners set) {
   if (std::popcount(set) != 2) return false;
   const int corner = std::countr_zero(set);
-  for (const int other : cells::hex_neighbours[static_cast<std::size_t>(corner)])
+  for (const int other : nth(cells::hex_neighbours, corner))
     if (set == (bit(corner) | bit(other))) return true;
   return false;
 }
@@ -64,14 +64,14 @@ bool corners_are_legal(Shape shape, const LocalIndex* element) {
 }
 
 WorstJacobian worst_jacobian(Shape shape, const LocalIndex* element, const std::vector<Vec3>& coordinates) {
-  const auto x = [&](int k) -> const Vec3& { return coordinates[static_cast<std::size_t>(element[k])]; };
+  const auto x = [&](int k) -> const Vec3& { return nth(coordinates, element[k]); };
   if (shape == Shape::tet4) return {scaled_triple_product(x(1) - x(0), x(2) - x(0), x(3) - x(0)), -1};
   const Vec3 xi = x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7);
   const Vec3 eta = x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5);
   const Vec3 zeta = x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3);
   WorstJacobian worst{scaled_triple_product(xi, eta, zeta), -1};
   for (int k = 0; k < 8; ++k) {
-    const auto& ends = cells::hex_neighbours[static_cast<std::size_t>(k)];
+    const auto& ends = nth(cells::hex_neighbours, k);
     const bool collapsed = std::any_of(ends.begin(), ends.end(), [&](int e) { return element[e] == element[k]; });
     if (collapsed) continue;
     const double scaled = scaled_triple_product(x(ends[0]) - x(k), x(ends[1]) - x(k), x(ends[2]) - x(k));

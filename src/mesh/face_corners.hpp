@@ -24,7 +24,7 @@ inline std::array<LocalIndex, 4> without_repeats(const std::array<LocalIndex, 4>
 
 /// As mesh::face_nodes; nearly all faces have no node twice.
 inline std::array<LocalIndex, 4> corners_of_face(Shape shape, const LocalIndex* element, int face) {
-  const cells::Face& c = cells::of(shape).faces[static_cast<std::size_t>(face)];
+  const cells::Face& c = nth(cells::of(shape).faces, face);
   const std::array<LocalIndex, 4> n{element[c[0]], element[c[1]], element[c[2]], c[3] < 0 ? no_index : element[c[3]]};
   const bool repeats =
       (n[0] == n[1]) | (n[1] == n[2]) | (n[2] == n[3]) | (n[3] == n[0]) | (n[0] == n[2]) | (n[1] == n[3]);

@@ -70,13 +70,13 @@ Hexahedra extrude(const Section& section, const std::vector<double>& heights) {
 
 void add_cut_planes(const Mesh& mesh, const std::string& part, const Half& half, std::vector<SurfaceSet>& sets) {
   for (int axis = 0; axis < 3; ++axis) {
-    const int kept = half[static_cast<std::size_t>(axis)];
+    const int kept = nth(half, axis);
     if (kept == 0) continue;
     std::vector<char> in_plane;
     in_plane.reserve(mesh.coordinates.size());
     for (const Vec3& x : mesh.coordinates) in_plane.push_back(x[axis] == 0);
     sets.push_back({fmt::format("{}_{}{}", part, "xyz"[axis], kept > 0 ? "min" : "max"),
-                    [in_plane](LocalIndex n) { return in_plane[static_cast<std::size_t>(n)] != 0; }});
+                    [in_plane](LocalIndex n) { return nth(in_plane, n) != 0; }});
   }
 }
 
@@ -88,7 +88,7 @@ void add_surface_sets(Mesh& mesh, const std::vector<SurfaceSet>& sets) {
       if (set.on_surface(n)) nodes.push_back(n);
     auto& chosen = mesh.side_sets[set.name];
     for (const Side& side : sides) {
-      const Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+      const Block& block = nth(mesh.blocks, side.block);
       const auto face = face_nodes(block.shape, block.element(side.element), side.face);
       if (std::all_of(face.begin(), face.end(), [&](LocalIndex n) { return n == no_index || set.on_surface(n); }))
         chosen.push_back(side);

@@ -40,7 +40,7 @@ LocalIndex add_node(RoundBody& body, const Vec3& x, unsigned mark) {
 }
 
 double end_height(const RoundBody& body) {
-  return body.cells.coordinates[static_cast<std::size_t>(body.end)][2];
+  return nth(body.cells.coordinates, body.end)[2];
 }
 
 /// Cells of the quarter of a disk between the axes, points and quadrilaterals as of a section: core, then rings.
@@ -87,10 +87,10 @@ void add_blunt_nose(RoundBody& body, const Section& section, const Outline& outl
   for (int k = 1; k <= layers; ++k) {
     const auto [narrow, height] = outline.at(k == layers ? 1.0 : static_cast<double>(k) / layers);
     for (LocalIndex n = 0; n < layer; ++n) {
-      const auto& [x, y] = section.points[static_cast<std::size_t>(n)];
+      const auto& [x, y] = nth(section.points, n);
       const double from_axis = std::hypot(x, y), share = (narrow - inner) / (radius - inner);
       const double factor = inner == 0 ? share : (inner + (from_axis - inner) * share) / from_axis;
-      const unsigned at_end = body.mark[static_cast<std::size_t>(end + n)];
+      const unsigned at_end = nth(body.mark, end + n);
       unsigned mark = (at_end & on_side) != 0 ? on_nose : Marks{0};
       if ((at_end & on_inner) != 0) mark |= on_inner;
       if (k == layers) mark |= on_nose | on_top;
@@ -101,7 +101,7 @@ void add_blunt_nose(RoundBody& body, const Section& section, const Outline& outl
         for (const LocalIndex n : quad) body.cells.nodes.push_back(end + level * layer + n);
   }
   for (LocalIndex n = end; n < end + layer; ++n)
-    if (Marks& mark = body.mark[static_cast<std::size_t>(n)]; (mark & on_side) != 0) mark |= on_nose;
+    if (Marks& mark = nth(body.mark, n); (mark & on_side) != 0) mark |= on_nose;
 }
 
 void add_pointed_nose(RoundBody& body, const Section& section, const RoundedCore& core, const Half& half,
@@ -117,7 +117,7 @@ void add_pointed_nose(RoundBody& body, const Section& section, const RoundedCore
     const bool on_surface = static_cast<LocalIndex>(number.size()) >= dome.inner;
     if (x[2] == 0) {
       number.push_back(on_end.at({x[0], x[1]}));
-      if (on_surface) body.mark[static_cast<std::size_t>(number.back())] |= on_nose;
+      if (on_surface) nth(body.mark, number.back()) |= on_nose;
       continue;
     }
     const double across = std::hypot(x[0], x[1]);
@@ -125,7 +125,7 @@ void add_pointed_nose(RoundBody& body, const Section& section, const RoundedCore
     const double factor = across == 0 ? 0 : r / across;
     number.push_back(add_node(body, {factor * x[0], factor * x[1], foot + z}, on_surface ? on_nose : Marks{0}));
   }
-  for (const LocalIndex n : dome.cells.nodes) body.cells.nodes.push_back(number[static_cast<std::size_t>(n)]);
+  for (const LocalIndex n : dome.cells.nodes) body.cells.nodes.push_back(nth(number, n));
 }
 
 void add_pointed_nose(RoundBody& body, const Rays& rays, const Outline& outline) {
@@ -144,11 +144,11 @@ void add_pointed_nose(RoundBody& body, const Rays& rays, const Outline& outline)
     for (int c = 0; c < count; ++c) {
       if (quarter.foot[q] >= 0) {
         number.push_back(body.end + rays.point(c, quarter.foot[q]));
-        body.mark[static_cast<std::size_t>(number.back())] |= static_cast<Marks>(mark);
+        nth(body.mark, number.back()) |= static_cast<Marks>(mark);
       } else if (a == 0 && rays.solid() && c > 0) {
         number.push_back(number.back());
       } else {
-        const auto [cosine, sine] = rays.cosines[static_cast<std::size_t>(c)];
+        const auto [cosine, sine] = nth(rays.cosines, c);
         const double r = a == 0 ? inner : inner + across;
         number.push_back(add_node(body, {r * cosine, r * sine, foot + up}, mark));
       }
@@ -157,7 +157,7 @@ void add_pointed_nose(RoundBody& body, const Rays& rays, const Outline& outline)
   for (int c = 0; c < rays.cells(); ++c)
     for (const auto& quad : quarter.section.quads)
       for (const int ray : {(c + 1) % count, c})  // the quadrilateral's normal points against the rays' order
-        for (const LocalIndex q : quad) body.cells.nodes.push_back(number[static_cast<std::size_t>(q * count + ray)]);
+        for (const LocalIndex q : quad) body.cells.nodes.push_back(nth(number, q * count + ray));
 }
 
 }  // namespace brunt::mesh

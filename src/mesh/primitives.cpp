@@ -30,7 +30,7 @@ Mesh box(const std::string& part, const Vec3& size, const Divisions<3>& elements
   ParameterCheck check("box " + part);
   for (int i = 0; i < 3; ++i) {
     check.positive("size", size[i]);
-    check.divided("elements", elements[static_cast<std::size_t>(i)], 1);
+    check.divided("elements", nth(elements, i), 1);
   }
   check.fits((elements[0] + 1.0) * (elements[1] + 1.0) * (elements[2] + 1.0));
   check.finish();

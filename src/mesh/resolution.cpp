@@ -21,14 +21,12 @@ std::string resolution_fault(const Mesh& mesh, double farthest) {
       for (const auto& [a, b] : cells::of(block.shape).edges) {
         const LocalIndex i = block.element(e)[a], j = block.element(e)[b];
         if (i == j) continue;  // a collapsed corner
-        const double length =
-            (mesh.coordinates[static_cast<std::size_t>(i)] - mesh.coordinates[static_cast<std::size_t>(j)])
-                .stableNorm();
+        const double length = (nth(mesh.coordinates, i) - nth(mesh.coordinates, j)).stableNorm();
         longest = std::max(longest, length);
         if (length >= shortest) continue;
         shortest = length;
         block_of_shortest = &block;
-        element_of_shortest = block.element_id[static_cast<std::size_t>(e)];
+        element_of_shortest = nth(block.element_id, e);
       }
   if (block_of_shortest == nullptr) return {};
   for (const Vec3& x : mesh.coordinates) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());

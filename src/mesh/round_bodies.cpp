@@ -22,7 +22,7 @@ struct Point {
 Point at(const Mesh& mesh, const LocalIndex* element, const std::array<double, 3>& xi) {
   Point point;
   for (std::size_t k = 0; k < 8; ++k) {
-    const Vec3& corner = mesh.coordinates[static_cast<std::size_t>(element[k])];
+    const Vec3& corner = nth(mesh.coordinates, element[k]);
     std::array<double, 3> factor{};
     for (std::size_t i = 0; i < 3; ++i) factor[i] = 0.5 * (1 + cells::hex_corners[k][i] * xi[i]);
     point.x += factor[0] * factor[1] * factor[2] * corner;
@@ -80,7 +80,7 @@ Moments moments(const Mesh& mesh) {
 
 Moments exact_sphere(double radius, const Half& half) {
   Moments exact{kept_share(half) * 4.0 / 3 * std::numbers::pi * radius * radius * radius, Vec3::Zero()};
-  for (int i = 0; i < 3; ++i) exact.centre[i] = half[static_cast<std::size_t>(i)] * 3.0 / 8 * radius;
+  for (int i = 0; i < 3; ++i) exact.centre[i] = nth(half, i) * 3.0 / 8 * radius;
   return exact;
 }
 

@@ -31,9 +31,9 @@ class RoundedCore {
         width_(width),
         round_from_(round_from),
         half_cells_(half_cells_of(places_, round_from)) {
-    const double radius = places_[static_cast<std::size_t>(round_from)];
+    const double radius = nth(places_, round_from);
     for (int i = 0; i <= round_from; ++i) {
-      const double even_place = radius * i / round_from, place = places_[static_cast<std::size_t>(i)];
+      const double even_place = radius * i / round_from, place = nth(places_, i);
       level_.push_back(place == even_place ? i : place / radius * round_from);
     }
   }
@@ -41,12 +41,10 @@ class RoundedCore {
   /// The core ends at the place nearest to 0.6 of the first circle's radius: uneven elements must leave its corners,
   /// which reach 1.25 times as far, within that circle.
   [[nodiscard]] static int half_cells_of(const std::vector<double>& places, int round_from) {
-    const double wanted = 0.6 * places[static_cast<std::size_t>(round_from)];
+    const double wanted = 0.6 * nth(places, round_from);
     int best = 1;
     for (int i = 2; i < round_from; ++i)
-      if (std::abs(places[static_cast<std::size_t>(i)] - wanted) <
-          std::abs(places[static_cast<std::size_t>(best)] - wanted))
-        best = i;
+      if (std::abs(nth(places, i) - wanted) < std::abs(nth(places, best) - wanted)) best = i;
     return best;
   }
   [[nodiscard]] int half_cells() const { return half_cells_; }
@@ -56,7 +54,7 @@ class RoundedCore {
   [[nodiscard]] Vec3 inside(const std::array<int, 3>& cell) const {
     const int layer = std::max({std::abs(cell[0]), std::abs(cell[1]), std::abs(cell[2])});
     if (layer == 0) return Vec3::Zero();
-    const double step = width_ * places_[static_cast<std::size_t>(round_from_)] / round_from_, ball_share = 0.4;
+    const double step = width_ * nth(places_, round_from_) / round_from_, ball_share = 0.4;
     const Vec3 cube(level(cell[0]), level(cell[1]), level(cell[2]));
     return step * ((1 - ball_share) * cube + ball_share * level(layer) * direction(cell, layer));
   }
@@ -65,8 +63,8 @@ class RoundedCore {
   [[nodiscard]] Vec3 outside(const std::array<int, 3>& cell, int shell) const {
     const int place = half_cells_ + shell;
     const Vec3 unit = direction(cell, half_cells_);
-    if (place >= round_from_) return places_[static_cast<std::size_t>(place)] * unit;
-    const Vec3 inner = inside(cell), outer = places_[static_cast<std::size_t>(round_from_)] * unit;
+    if (place >= round_from_) return nth(places_, place) * unit;
+    const Vec3 inner = inside(cell), outer = nth(places_, round_from_) * unit;
     return inner + (outer - inner) * (level(place) - level(half_cells_)) / (level(round_from_) - level(half_cells_));
   }
 
@@ -79,7 +77,7 @@ class RoundedCore {
   }
 
   /// A place in units of the mean element of the first `round_from_`.
-  [[nodiscard]] double level(int i) const { return std::copysign(level_[static_cast<std::size_t>(std::abs(i))], i); }
+  [[nodiscard]] double level(int i) const { return std::copysign(nth(level_, std::abs(i)), i); }
 
   /// Equal angles between neighbours along each axis.
   static Vec3 direction(const std::array<int, 3>& cell, int layer) {

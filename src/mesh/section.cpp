@@ -81,12 +81,12 @@ Section butterfly(const RoundedCore& core) {
     for (int i = -k; i <= k; ++i) {
       const Vec3 x = core.inside({i, j, 0});
       const int point = i + k + row * (j + k);
-      section.points[static_cast<std::size_t>(point)] = {x[0], x[1]};
+      nth(section.points, point) = {x[0], x[1]};
     }
   const auto corners = outline(k);
   const auto around = static_cast<LocalIndex>(corners.size());
   const auto node = [&](int ring, LocalIndex c) {
-    const auto& [i, j] = corners[static_cast<std::size_t>(c % around)];
+    const auto& [i, j] = nth(corners, c % around);
     return ring == 0 ? i + k + row * (j + k) : row * row + (ring - 1) * around + c % around;
   };
   for (int ring = 1; ring <= rings; ++ring)
@@ -102,13 +102,13 @@ Section butterfly(const RoundedCore& core) {
 
 void keep_half(Section& section, std::vector<char>& tag, const Half& half) {
   const auto inside = [&](LocalIndex n) {
-    const auto& x = section.points[static_cast<std::size_t>(n)];
+    const auto& x = nth(section.points, n);
     return half[0] * x[0] >= 0 && half[1] * x[1] >= 0;
   };
   std::erase_if(section.quads, [&](const auto& quad) { return !std::ranges::all_of(quad, inside); });
   std::vector<LocalIndex> place(section.points.size(), no_index);
   for (const auto& quad : section.quads)
-    for (const LocalIndex n : quad) place[static_cast<std::size_t>(n)] = 0;
+    for (const LocalIndex n : quad) nth(place, n) = 0;
   Section kept;
   std::vector<char> tag_of_kept;
   for (std::size_t n = 0; n < place.size(); ++n) {
@@ -118,7 +118,7 @@ void keep_half(Section& section, std::vector<char>& tag, const Half& half) {
     tag_of_kept.push_back(tag[n]);
   }
   for (auto& quad : section.quads)
-    for (LocalIndex& n : quad) n = place[static_cast<std::size_t>(n)];
+    for (LocalIndex& n : quad) n = nth(place, n);
   section.points = std::move(kept.points);
   tag = std::move(tag_of_kept);
 }
@@ -150,7 +150,7 @@ Section annulus(const Rays& rays) {
   const auto row = static_cast<int>(rays.radius.size());
   for (std::size_t c = 0; c < rays.cosines.size(); ++c)
     for (int r = rays.solid() && c > 0 ? 1 : 0; r < row; ++r) {
-      const double radius = rays.radius[static_cast<std::size_t>(r)];
+      const double radius = nth(rays.radius, r);
       section.points.push_back({radius * rays.cosines[c][0], radius * rays.cosines[c][1]});
     }
   for (int c = 0; c < rays.cells(); ++c)

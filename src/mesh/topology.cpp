@@ -42,9 +42,7 @@ std::vector<Side> exterior_sides(const Mesh& mesh) {
 std::vector<Side> interior_sides(const Mesh& mesh, std::span<const char> wanted) {
   std::vector<Side> interior;
   for_each_keyed_face(mesh, [&](const KeyedFace& face, const Side& side, bool shared) {
-    const auto is_wanted = [&](LocalIndex node) {
-      return node == no_index || wanted[static_cast<std::size_t>(node)] != 0;
-    };
+    const auto is_wanted = [&](LocalIndex node) { return node == no_index || nth(wanted, node) != 0; };
     if (shared && std::all_of(face.key.begin(), face.key.end(), is_wanted)) interior.push_back(side);
   });
   std::sort(interior.begin(), interior.end());

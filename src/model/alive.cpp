@@ -16,10 +16,10 @@ std::vector<std::uint8_t> living_lanes(const ElementBlock& block, const std::vec
   constexpr auto all = static_cast<std::uint8_t>(0xff);
   std::vector<std::uint8_t> lanes(static_cast<std::size_t>(block.batches()), all);
   for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
-    std::uint8_t& bits = lanes[static_cast<std::size_t>(batch)];
+    std::uint8_t& bits = nth(lanes, batch);
     for (int lane = 0; lane < pack_width; ++lane) {
       const LocalIndex element = std::min(batch * pack_width + lane, block.count - 1);
-      if (alive[static_cast<std::size_t>(element)] <= 0) bits = static_cast<std::uint8_t>(bits & ~(1U << lane));
+      if (nth(alive, element) <= 0) bits = static_cast<std::uint8_t>(bits & ~(1U << lane));
     }
     if (static_cast<std::uint8_t>(bits << (8 - pack_width)) == 0) bits = 0;  // clears bits beyond the width of a pack
   }

@@ -6,8 +6,7 @@
 namespace brunt::model {
 
 [[nodiscard]] inline bool lives(const State& state, std::size_t block, LocalIndex element) {
-  return block >= state.alive.size() || state.alive[block].empty() ||
-         state.alive[block][static_cast<std::size_t>(element)] > 0;
+  return block >= state.alive.size() || state.alive[block].empty() || nth(state.alive[block], element) > 0;
 }
 
 /// Whether the element of a face of this rank has not been removed.

@@ -48,7 +48,7 @@ struct ElementBlock {
   [[nodiscard]] LocalIndex batches() const { return (count + pack_width - 1) / pack_width; }
   [[nodiscard]] LocalIndex corner_node(LocalIndex e, int c) const {
     const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * corners + c;
-    return node[static_cast<std::size_t>(row * pack_width + e % pack_width)];
+    return nth(node, row * pack_width + e % pack_width);
   }
   [[nodiscard]] const HistoryRange* find(const std::string& name) const {
     for (const HistoryRange& range : history)

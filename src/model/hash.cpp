@@ -23,8 +23,7 @@ std::uint64_t element_terms(const Registry& registry, const StateArray& array, s
   const auto gid = registry.element_gid.at(static_cast<std::size_t>(array.block));
   std::uint64_t sum = 0;
   for (LocalIndex e = 0; e < array.count; ++e)
-    for (int c = 0; c < array.components; ++c)
-      sum += hash_value(name, gid[static_cast<std::size_t>(e)], c, array.at(e, c));
+    for (int c = 0; c < array.components; ++c) sum += hash_value(name, nth(gid, e), c, array.at(e, c));
   return sum;
 }
 

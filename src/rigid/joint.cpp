@@ -24,7 +24,7 @@ std::size_t joint_rows(const Joint& joint, const std::array<Pose, 2>& pose, std:
   const Vec3 apart = pose[0].centre + arm[0] - pose[1].centre - arm[1];
   std::size_t count = 0;
   for (int c = 0; c < 3; ++c) {
-    if (!joint.holds[static_cast<std::size_t>(c)]) continue;
+    if (!nth(joint.holds, c)) continue;
     const Vec3 along = Vec3::Unit(c);
     rows[count++] = {.gap = apart[c], .shift = {along, -along}, .turn = {arm[0].cross(along), -arm[1].cross(along)}};
   }

@@ -11,7 +11,7 @@ namespace brunt::rigid {
 std::array<Pose, 2> sides_of(const JointPlace& place, std::span<const Pose> pose) {
   std::array<Pose, 2> both;
   for (std::size_t side = 0; side < 2; ++side)
-    if (place.body[side] != no_index) both[side] = pose[static_cast<std::size_t>(place.body[side])];
+    if (place.body[side] != no_index) both[side] = nth(pose, place.body[side]);
   return both;
 }
 
@@ -22,7 +22,7 @@ std::vector<JointGroup> group_bodies(std::span<const Joint> joints, std::span<co
   std::vector<char> has_joint(static_cast<std::size_t>(bodies), 0);
   for (const std::array<LocalIndex, 2>& pair : body) {
     for (const LocalIndex one : pair)
-      if (one != no_index) has_joint[static_cast<std::size_t>(one)] = 1;
+      if (one != no_index) nth(has_joint, one) = 1;
     if (pair[0] != no_index && pair[1] != no_index)
       joined.join(static_cast<std::size_t>(pair[0]), static_cast<std::size_t>(pair[1]));
   }
@@ -43,8 +43,7 @@ std::vector<JointGroup> group_bodies(std::span<const Joint> joints, std::span<co
     JointGroup& group = groups[group_of[joined.first(static_cast<std::size_t>(any))]];
     JointPlace of_joint{.joint = joints[j], .number = static_cast<LocalIndex>(j), .first_row = group.rows};
     for (std::size_t side = 0; side < 2; ++side)
-      if (body[j][side] != no_index)
-        of_joint.body[side] = static_cast<LocalIndex>(place[static_cast<std::size_t>(body[j][side])]);
+      if (body[j][side] != no_index) of_joint.body[side] = static_cast<LocalIndex>(nth(place, body[j][side]));
     group.joints.push_back(of_joint);
     group.rows += static_cast<LocalIndex>(rows_of(joints[j]));
   }

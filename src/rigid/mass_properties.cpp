@@ -24,7 +24,7 @@ struct HexMap {
     for (std::size_t k = 0; k < 8; ++k) {
       Vec3 factor, sign;
       for (int i = 0; i < 3; ++i) {
-        sign[i] = cells::hex_corners[k][static_cast<std::size_t>(i)];
+        sign[i] = nth(cells::hex_corners[k], i);
         factor[i] = 0.5 * (1 + sign[i] * parent[i]);
       }
       x += factor[0] * factor[1] * factor[2] * corners[k];

@@ -9,7 +9,7 @@ MassMoments surface_moments(const TriangleSurface& surface, const Vec3& origin, 
   MassMoments sum;
   for (const auto& triangle : surface.triangles) {
     std::array<Vec3, 4> corners{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-    for (std::size_t k = 0; k < 3; ++k) corners[k + 1] = surface.points[static_cast<std::size_t>(triangle[k])] - origin;
+    for (std::size_t k = 0; k < 3; ++k) corners[k + 1] = nth(surface.points, triangle[k]) - origin;
     sum = sum + tetrahedron_moments(corners, density);
   }
   return sum;

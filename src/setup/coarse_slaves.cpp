@@ -68,10 +68,10 @@ class Pairs {
   }
 
   [[nodiscard]] Face measure(const mesh::Side& side) const {
-    const mesh::Block& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
+    const mesh::Block& block = nth(mesh_.blocks, side.block);
     std::vector<Vec3> corners;
     for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(side.element), side.face))
-      if (node != no_index) corners.push_back(mesh_.coordinates[static_cast<std::size_t>(node)]);
+      if (node != no_index) corners.push_back(nth(mesh_.coordinates, node));
     return {geometry::longest_edge(corners), geometry::area_vector(corners).normalized()};
   }
 

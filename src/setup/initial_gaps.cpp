@@ -58,7 +58,7 @@ class Survey {
       const mesh::Block& block = mesh_.blocks[one];
       const ElementsInside inside = elements_inside(mesh_, block, mesh_.blocks[other], tolerances());
       if (inside.count == 0) continue;
-      gaps.shared.push_back({one, other, inside.count, block.element_id[static_cast<std::size_t>(inside.first)], rule});
+      gaps.shared.push_back({one, other, inside.count, nth(block.element_id, inside.first), rule});
       return;
     }
   }
@@ -82,11 +82,11 @@ class Survey {
         if (!one_body) keep_gap(a, b, -behind->penetration);
         continue;
       }
-      inside[static_cast<std::size_t>(node)] = 1;
+      nth(inside, node) = 1;
       InitialOverlap overlap{.node = node,
                              .block = a,
                              .other_block = b,
-                             .body = body_[static_cast<std::size_t>(node)],
+                             .body = nth(body_, node),
                              .other_body = behind ? body_of(solid.faces[behind->face]) : body_of(solid),
                              .rule = rule};
       if (behind) {
@@ -121,16 +121,12 @@ class Survey {
       o.too_deep = o.too_deep && choice.is_held_off(o.block, o.body, o.other_block, o.other_body);
   }
 
-  [[nodiscard]] std::int32_t body_of(const Solid& solid) const {
-    return body_[static_cast<std::size_t>(solid.surface_nodes.front())];
-  }
-  [[nodiscard]] std::int32_t body_of(const SolidFace& face) const {
-    return body_[static_cast<std::size_t>(face.nodes[0])];
-  }
+  [[nodiscard]] std::int32_t body_of(const Solid& solid) const { return nth(body_, solid.surface_nodes.front()); }
+  [[nodiscard]] std::int32_t body_of(const SolidFace& face) const { return nth(body_, face.nodes[0]); }
   /// Ascending.
   [[nodiscard]] std::vector<std::int32_t> bodies_of(const Solid& solid) const {
     std::vector<std::int32_t> bodies;
-    for (const LocalIndex node : solid.surface_nodes) bodies.push_back(body_[static_cast<std::size_t>(node)]);
+    for (const LocalIndex node : solid.surface_nodes) bodies.push_back(nth(body_, node));
     std::ranges::sort(bodies);
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     return bodies;

@@ -40,7 +40,7 @@ struct Patch {
 using Patches = std::map<std::pair<std::int32_t, std::int32_t>, Patch>;
 
 std::vector<LocalIndex> corners_of(const mesh::Mesh& mesh, const mesh::Side& side) {
-  const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const mesh::Block& block = nth(mesh.blocks, side.block);
   const auto nodes = mesh::face_nodes(block.shape, block.element(side.element), side.face);
   std::vector<LocalIndex> corners(nodes.begin(), nodes.end());
   std::erase(corners, no_index);
@@ -51,8 +51,8 @@ Face measure(const mesh::Mesh& mesh, const mesh::Side& side, std::span<const Vec
   Face face{.body = body, .block = side.block};
   std::vector<Vec3> corners;
   for (const LocalIndex node : corners_of(mesh, side)) {
-    corners.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
-    face.velocity += velocity[static_cast<std::size_t>(node)];
+    corners.push_back(nth(mesh.coordinates, node));
+    face.velocity += nth(velocity, node);
   }
   face.velocity /= static_cast<double>(corners.size());
   face.box = geometry::bounding_box(corners);
@@ -69,8 +69,8 @@ std::vector<Face> measure_faces(const mesh::Mesh& mesh, std::span<const mesh::Si
   std::vector<Face> faces;
   faces.reserve(sides.size());
   for (const mesh::Side& side : sides) {
-    const LocalIndex element = first[static_cast<std::size_t>(side.block)] + side.element;
-    faces.push_back(measure(mesh, side, velocity, body_of_element[static_cast<std::size_t>(element)]));
+    const LocalIndex element = nth(first, side.block) + side.element;
+    faces.push_back(measure(mesh, side, velocity, nth(body_of_element, element)));
   }
   return faces;
 }
@@ -78,7 +78,7 @@ std::vector<Face> measure_faces(const mesh::Mesh& mesh, std::span<const mesh::Si
 /// Volume by tetrahedra: exact for plane faces.
 double volume(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex element) {
   const LocalIndex* nodes = block.element(element);
-  const auto corner = [&](int c) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(nodes[c])]; };
+  const auto corner = [&](int c) -> const Vec3& { return nth(mesh.coordinates, nodes[c]); };
   const auto of = [&](const std::array<int, 4>& tet) {
     const Vec3& first = corner(tet[0]);
     return (corner(tet[1]) - first).cross(corner(tet[2]) - first).dot(corner(tet[3]) - first) / 6;
@@ -95,7 +95,7 @@ std::vector<double> mass_of_nodes(const mesh::Mesh& mesh, std::span<const double
     const int corners = mesh::nodes_per_element(block.shape);
     for (LocalIndex e = 0; e < block.count(); ++e) {
       const double share = density[b] * volume(mesh, block, e) / corners;
-      for (int c = 0; c < corners; ++c) mass[static_cast<std::size_t>(block.element(e)[c])] += share;
+      for (int c = 0; c < corners; ++c) nth(mass, block.element(e)[c]) += share;
     }
   }
   return mass;
@@ -173,17 +173,15 @@ bool may_reach(const Face& face, const Patch& other, double duration, double far
 FlightShadow shadow_of(const mesh::Mesh& mesh, std::span<const mesh::Side> sides, const Patch& patch, const Vec3& way) {
   std::vector<Vec3> nodes;
   for (const std::size_t f : patch.faces)
-    for (const LocalIndex node : corners_of(mesh, sides[f]))
-      nodes.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
+    for (const LocalIndex node : corners_of(mesh, sides[f])) nodes.push_back(nth(mesh.coordinates, node));
   return {way, nodes};
 }
 
 /// Whether all nodes of the face have coincident nodes there. In the second of two passes they then have no rows (see
 /// detect_faces).
 bool has_coincident_nodes(const mesh::Mesh& mesh, const mesh::Side& side, double within, const FlightShadow& others) {
-  return std::ranges::all_of(corners_of(mesh, side), [&](LocalIndex node) {
-    return others.passes_by(mesh.coordinates[static_cast<std::size_t>(node)], within);
-  });
+  return std::ranges::all_of(corners_of(mesh, side),
+                             [&](LocalIndex node) { return others.passes_by(nth(mesh.coordinates, node), within); });
 }
 
 double span_of(const geometry::Box& a, const geometry::Box& b) {

@@ -21,8 +21,8 @@ double push_out(const InitialOverlap& overlap, bool node_moves, std::vector<Vec3
   std::array<Vec3, 4> corners;
   std::size_t count = 0;
   for (const LocalIndex node : overlap.face)
-    if (node != no_index) corners[count++] = x[static_cast<std::size_t>(node)];
-  Vec3& node = x[static_cast<std::size_t>(overlap.node)];
+    if (node != no_index) corners[count++] = nth(x, node);
+  Vec3& node = nth(x, overlap.node);
   const auto closest = geometry::closest_point(node, {corners.data(), count});
   if (!closest) return 0;
   const Vec3 normal = geometry::face_normal({corners.data(), count}, closest->xi, closest->eta);
@@ -35,15 +35,14 @@ double push_out(const InitialOverlap& overlap, bool node_moves, std::vector<Vec3
   }
   double squares = 0;
   for (const double weight : closest->weights) squares += weight * weight;
-  for (std::size_t i = 0; i < count; ++i)
-    x[static_cast<std::size_t>(overlap.face[i])] -= closest->weights[i] / squares * depth * normal;
+  for (std::size_t i = 0; i < count; ++i) nth(x, overlap.face[i]) -= closest->weights[i] / squares * depth * normal;
   return share;
 }
 
 /// Six times the volumes of the tetrahedra at the corners of an element.
 std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block& block, LocalIndex element) {
   const LocalIndex* nodes = block.element(element);
-  const auto corner = [&](int c) -> const Vec3& { return x[static_cast<std::size_t>(nodes[c])]; };
+  const auto corner = [&](int c) -> const Vec3& { return nth(x, nodes[c]); };
   const auto volume = [&](int c, int p, int q, int r) {
     return (corner(p) - corner(c)).cross(corner(q) - corner(c)).dot(corner(r) - corner(c));
   };
@@ -51,7 +50,7 @@ std::vector<double> corner_volumes(const std::vector<Vec3>& x, const mesh::Block
   std::vector<double> volumes;
   volumes.reserve(8);
   for (int c = 0; c < 8; ++c) {
-    const auto& [p, q, r] = cells::hex_neighbours[static_cast<std::size_t>(c)];
+    const auto& [p, q, r] = nth(cells::hex_neighbours, c);
     volumes.push_back(volume(c, p, q, r));
   }
   return volumes;
@@ -108,9 +107,7 @@ class Judge {
   }
 
  private:
-  [[nodiscard]] Vec3 move_of(LocalIndex node) const {
-    return mesh_.coordinates[static_cast<std::size_t>(node)] - before_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] Vec3 move_of(LocalIndex node) const { return nth(mesh_.coordinates, node) - nth(before_, node); }
 
   [[nodiscard]] bool has_moved(const mesh::Block& block, LocalIndex element) const {
     const LocalIndex* nodes = block.element(element);

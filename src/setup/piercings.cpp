@@ -51,13 +51,13 @@ struct NearestPlace {
 /// normal of one face is not sufficient: a point near a sharp edge may be behind one of its faces and in front of the
 /// other, although it is outside.
 Vec3 outward_at(const Solid& solid, const std::vector<LocalIndex>& near, const NearestPlace& nearest) {
-  const SolidFace& of_nearest = solid.faces[static_cast<std::size_t>(nearest.face)];
+  const SolidFace& of_nearest = nth(solid.faces, nearest.face);
   if (nearest.point.region == geometry::Region::face)
     return geometry::face_normal(of_nearest.points(), nearest.point.xi, nearest.point.eta);
   const auto [first, second] = corners_of(nearest.point.region, of_nearest.corner_count);
   Vec3 sum = Vec3::Zero();
   for (const LocalIndex f : near) {
-    const SolidFace& face = solid.faces[static_cast<std::size_t>(f)];
+    const SolidFace& face = nth(solid.faces, f);
     const auto end = face.nodes.begin() + static_cast<std::ptrdiff_t>(face.corner_count);
     const auto here = std::find(face.nodes.begin(), end, of_nearest.nodes[first]);
     if (here == end || std::find(face.nodes.begin(), end, of_nearest.nodes[second]) == end) continue;
@@ -76,7 +76,7 @@ bool is_deep(const Solid& solid, const std::vector<LocalIndex>& near, const Vec3
              const contact::Tolerances& tolerances) {
   NearestPlace nearest;
   for (const LocalIndex f : near) {
-    const SolidFace& face = solid.faces[static_cast<std::size_t>(f)];
+    const SolidFace& face = nth(solid.faces, f);
     const auto closest = geometry::closest_point(middle, face.points());
     if (!closest) continue;
     const double distance = (middle - closest->point).norm();
@@ -92,7 +92,7 @@ std::optional<std::size_t> pierced_face(const Solid& solid, const std::vector<Lo
                                         const geometry::Segment& segment, const contact::Tolerances& tolerances) {
   std::vector<Crossing> crossings;
   for (const LocalIndex f : near) {
-    const auto met = geometry::segment_crosses_face(segment, solid.faces[static_cast<std::size_t>(f)].points());
+    const auto met = geometry::segment_crosses_face(segment, nth(solid.faces, f).points());
     if (met) crossings.push_back({met->along, met->inward, static_cast<std::size_t>(f)});
   }
   std::ranges::sort(crossings, {}, &Crossing::along);
@@ -116,10 +116,8 @@ std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& on
                                          const std::vector<char>& inside, const contact::Tolerances& tolerances) {
   std::vector<PiercingEdge> result;
   if (!geometry::overlaps(one.box, other.box)) return result;
-  const auto at = [&](LocalIndex node) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(node)]; };
-  const auto is_inside = [&](LocalIndex node) {
-    return node != no_index && inside[static_cast<std::size_t>(node)] != 0;
-  };
+  const auto at = [&](LocalIndex node) -> const Vec3& { return nth(mesh.coordinates, node); };
+  const auto is_inside = [&](LocalIndex node) { return node != no_index && nth(inside, node) != 0; };
   std::vector<std::array<LocalIndex, 2>> edges;
   std::vector<Box> edge_boxes, face_boxes;
   for (const auto& edge : one.edges) {
@@ -137,7 +135,7 @@ std::vector<PiercingEdge> piercing_edges(const mesh::Mesh& mesh, const Solid& on
   contact::for_each_overlap(edge_boxes, face_boxes, scratch, [&](LocalIndex e, LocalIndex f) { near[e].push_back(f); });
   for (auto& [e, faces] : near) {
     std::ranges::sort(faces);
-    const auto edge = edges[static_cast<std::size_t>(e)];
+    const auto edge = nth(edges, e);
     const auto pierced = pierced_face(other, faces, {at(edge[0]), at(edge[1])}, tolerances);
     if (pierced && std::ranges::none_of(other.faces[*pierced].nodes, is_inside)) result.push_back({edge, *pierced});
   }

@@ -11,7 +11,7 @@ namespace {
 Vec3 middle_of(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
   const int count = mesh::nodes_per_element(block.shape);
   Vec3 sum = Vec3::Zero();
-  for (int c = 0; c < count; ++c) sum += mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])];
+  for (int c = 0; c < count; ++c) sum += nth(mesh.coordinates, block.element(e)[c]);
   return sum / count;
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 SolidFace face_of(const mesh::Mesh& mesh, const mesh::Side& side) {
-  const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const mesh::Block& block = nth(mesh.blocks, side.block);
   const LocalIndex* element = block.element(side.element);
   SolidFace face;
   face.element = side.element;
@@ -26,7 +26,7 @@ SolidFace face_of(const mesh::Mesh& mesh, const mesh::Side& side) {
   Vec3 centre = Vec3::Zero();
   for (const LocalIndex node : face.nodes) {
     if (node == no_index) continue;
-    face.corners[face.corner_count++] = mesh.coordinates[static_cast<std::size_t>(node)];
+    face.corners[face.corner_count++] = nth(mesh.coordinates, node);
     centre += face.corners[face.corner_count - 1];
   }
   if (face.corner_count < 3) return face;
@@ -34,8 +34,7 @@ SolidFace face_of(const mesh::Mesh& mesh, const mesh::Side& side) {
   face.size = geometry::longest_edge(face.points());
   const Vec3 inwards = -geometry::area_vector(face.points()).normalized();
   for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
-    face.element_depth =
-        std::max(face.element_depth, (mesh.coordinates[static_cast<std::size_t>(element[c])] - centre).dot(inwards));
+    face.element_depth = std::max(face.element_depth, (nth(mesh.coordinates, element[c]) - centre).dot(inwards));
   face.element_depth = std::min(face.element_depth, geometry::width(face.points()));
   return face;
 }
@@ -75,7 +74,7 @@ double opposition(std::span<const Vec3> outwards, const Vec3& normal) {
 geometry::Box box_of_element(const mesh::Mesh& mesh, const mesh::Block& block, LocalIndex e) {
   geometry::Box box;
   for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
-    geometry::extend(box, mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])]);
+    geometry::extend(box, nth(mesh.coordinates, block.element(e)[c]));
   return box;
 }
 
@@ -83,7 +82,7 @@ bool in_element(const Vec3& x, const mesh::Mesh& mesh, const mesh::Block& block,
                 const contact::Tolerances& tolerances) {
   std::array<Vec3, cells::most_corners> corners;
   const auto count = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
-  for (std::size_t c = 0; c < count; ++c) corners[c] = mesh.coordinates[static_cast<std::size_t>(block.element(e)[c])];
+  for (std::size_t c = 0; c < count; ++c) corners[c] = nth(mesh.coordinates, block.element(e)[c]);
   return !geometry::part_in_cell({x, x}, {corners.data(), count}, tolerances.fine_rounding).is_empty();
 }
 
@@ -92,7 +91,7 @@ std::vector<Solid> solids_of(const mesh::Mesh& mesh) {
   for (const mesh::Side& side : mesh::exterior_sides(mesh)) {
     const SolidFace face = face_of(mesh, side);
     if (face.corner_count < 3) continue;
-    Solid& solid = solids[static_cast<std::size_t>(side.block)];
+    Solid& solid = nth(solids, side.block);
     for (const Vec3& corner : face.points()) geometry::extend(solid.box, corner);
     solid.faces.push_back(face);
   }
@@ -106,8 +105,7 @@ std::vector<std::int32_t> body_of_nodes(const mesh::Mesh& mesh) {
   std::size_t element = 0;
   for (const mesh::Block& block : mesh.blocks)
     for (LocalIndex e = 0; e < block.count(); ++e, ++element)
-      for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c)
-        of_node[static_cast<std::size_t>(block.element(e)[c])] = body[element];
+      for (int c = 0; c < mesh::nodes_per_element(block.shape); ++c) nth(of_node, block.element(e)[c]) = body[element];
   return of_node;
 }
 
@@ -125,7 +123,7 @@ std::vector<LocalIndex> NodesAround::of(LocalIndex node) const {
   std::vector<LocalIndex> nodes;
   for (auto use = std::ranges::lower_bound(uses_, node, {}, &Use::node); use != uses_.end() && use->node == node;
        ++use) {
-    const mesh::Block& block = mesh_.blocks[static_cast<std::size_t>(use->block)];
+    const mesh::Block& block = nth(mesh_.blocks, use->block);
     const LocalIndex* element = block.element(use->element);
     nodes.insert(nodes.end(), element, element + mesh::nodes_per_element(block.shape));
   }
@@ -141,8 +139,7 @@ Comparison::Comparison(const mesh::Mesh& mesh, const Solid& nodes, const Solid& 
   for (const SolidFace& face : solid.faces) longest = std::max(longest, face.size);
   const geometry::Box reach = geometry::grown(solid.box, longest);
   for (std::size_t i = 0; i < nodes.surface_nodes.size(); ++i)
-    if (const Vec3& x = mesh.coordinates[static_cast<std::size_t>(nodes.surface_nodes[i])];
-        geometry::contains(reach, x)) {
+    if (const Vec3& x = nth(mesh.coordinates, nodes.surface_nodes[i]); geometry::contains(reach, x)) {
       node_.push_back(i);
       point_.push_back(x);
     }
@@ -232,7 +229,7 @@ void Comparison::measure_near() {
   contact::find_pairs(boxes, point_, scratch, near_faces_);
   for (std::size_t i = 0; i < point_.size(); ++i)
     for (const LocalIndex f : std::as_const(near_faces_).row(static_cast<LocalIndex>(i))) {
-      const SolidFace& face = solid_.faces[static_cast<std::size_t>(f)];
+      const SolidFace& face = nth(solid_.faces, f);
       const auto closest = geometry::closest_point(point_[i], face.points());
       if (!closest || is_neighbour(i, face.element)) continue;
       const Vec3 offset = point_[i] - closest->point;

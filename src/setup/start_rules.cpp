@@ -11,7 +11,7 @@ std::vector<mesh::Side> contact_faces(const mesh::Mesh& mesh, const std::vector<
   std::vector<mesh::Side> faces = mesh::exterior_sides(mesh);
   for (const std::vector<LocalIndex>& plane : symmetric)
     std::erase_if(faces, [&](const mesh::Side& side) {
-      const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+      const mesh::Block& block = nth(mesh.blocks, side.block);
       return std::ranges::all_of(
           mesh::face_nodes(block.shape, block.element(side.element), side.face),
           [&](LocalIndex node) { return node == no_index || std::ranges::binary_search(plane, node); });

@@ -38,10 +38,10 @@ std::vector<LocalIndex> first_of_block(const mesh::LocalMesh& mesh) {
 }
 
 LocalIndex element_of(const mesh::LocalMesh& mesh, const std::vector<LocalIndex>& first, const ExteriorFace& face) {
-  const std::vector<GlobalIndex>& gid = mesh.blocks[static_cast<std::size_t>(face.block)].gid;
+  const std::vector<GlobalIndex>& gid = nth(mesh.blocks, face.block).gid;
   const auto found = std::ranges::lower_bound(gid, cells::element_of_key(face.key));
   demand(found != gid.end() && *found == cells::element_of_key(face.key), "the element of a face is on its rank");
-  return first[static_cast<std::size_t>(face.block)] + static_cast<LocalIndex>(found - gid.begin());
+  return nth(first, face.block) + static_cast<LocalIndex>(found - gid.begin());
 }
 
 /// The flags of all elements of this rank.
@@ -64,7 +64,7 @@ std::vector<FaceUse> uses_at_home(const comm::Communicator& ranks, const mesh::L
   for (const ExteriorFace& face : faces) {
     FaceUse use{.key = face.key, .rank = ranks.rank(), .element = element_of(mesh, first, face)};
     for (std::size_t i = 0; i < 4; ++i)
-      use.nodes[i] = face.nodes[i] == no_index ? no_index : mesh.node_gid[static_cast<std::size_t>(face.nodes[i])];
+      use.nodes[i] = face.nodes[i] == no_index ? no_index : nth(mesh.node_gid, face.nodes[i]);
     std::ranges::sort(use.nodes);
     const GlobalIndex lowest = use.nodes[0] == no_index ? use.nodes[1] : use.nodes[0];
     to_home[static_cast<std::size_t>(lowest) % to_home.size()].push_back(use);
@@ -82,9 +82,7 @@ std::vector<Beyond> found_beyond(const comm::Communicator& ranks, const std::vec
     while (last < uses.size() && uses[last].nodes == uses[first].nodes) ++last;
     for (std::size_t i = first; i < last; ++i)
       for (std::size_t j = first; j < last; ++j)
-        if (i != j)
-          to_face[static_cast<std::size_t>(uses[i].rank)].push_back(
-              {uses[i].key, uses[j].key, uses[j].rank, uses[j].element});
+        if (i != j) nth(to_face, uses[i].rank).push_back({uses[i].key, uses[j].key, uses[j].rank, uses[j].element});
   }
   std::vector<Beyond> found = comm::exchange(ranks, to_face).values;
   std::ranges::sort(
@@ -103,7 +101,7 @@ std::vector<char> marks_here(const mesh::LocalMesh& mesh, std::span<const double
     const auto width = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
     for (std::size_t first = 0; first < block.nodes.size(); first += width, ++flag)
       for (const LocalIndex node : std::span(block.nodes).subspan(first, width)) {
-        char& mark = marks[static_cast<std::size_t>(node)];
+        char& mark = nth(marks, node);
         mark = static_cast<char>(mark | (*flag > 0 ? held : *flag < 0 ? taken : none));
       }
   }
@@ -146,7 +144,7 @@ BareNodes bare_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mes
     const auto node = static_cast<std::size_t>(mesh.shared[s]);
     for (const Rank sharer : mesh.sharers.row(static_cast<LocalIndex>(s)))
       if (sharer != ranks.rank() && marks[node] != none)
-        told[static_cast<std::size_t>(sharer)].push_back({mesh.node_gid[node], marks[node]});
+        nth(told, sharer).push_back({mesh.node_gid[node], marks[node]});
   }
   for (const auto& [gid, mark] : comm::exchange(ranks, told).values) {
     const auto node = static_cast<std::size_t>(std::ranges::lower_bound(mesh.node_gid, gid) - mesh.node_gid.begin());
@@ -169,7 +167,7 @@ ExposedSurface exposed_surface(const comm::Communicator& ranks, const mesh::Loca
     inner.foreign.forward(flags, foreign, 1);
     flags.insert(flags.end(), foreign.begin(), foreign.end());
   }
-  const auto lives = [&](LocalIndex element) { return flags[static_cast<std::size_t>(element)] > 0; };
+  const auto lives = [&](LocalIndex element) { return nth(flags, element) > 0; };
   ExposedSurface outside;
   const auto look_at = [&](const ExteriorFace& face, std::span<const LocalIndex> beyond) {
     if (lives(element_of(mesh, first, face))) {

@@ -49,7 +49,7 @@ void drive(const model::Model& model, const model::State& state, const RigidBody
   for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
     if (!body.drive[dof]) continue;
     const auto c = static_cast<int>(dof % 3);
-    const model::Drive& drive = model.drives[static_cast<std::size_t>(*body.drive[dof])];
+    const model::Drive& drive = nth(model.drives, *body.drive[dof]);
     const double before = dof < 3 ? now.before.velocity[c] : now.before.spin[c];
     (dof < 3 ? now.given_velocity : now.given_spin)[c] =
         driven_component(drive, before, state.time, step.dt, step.dt_mean);
@@ -135,7 +135,7 @@ void sum_body_forces(const model::Model& model, const model::State& state, model
     comm::ExactAccumulator* sums = &links.body_sums[links.body_sums.size() - width];
     const Vec3 centre = body.body.mass.centre + state.bodies[b].displacement;
     for (const LocalIndex k : body.forced) {
-      const auto i = static_cast<std::size_t>(body.nodes[static_cast<std::size_t>(k)]);
+      const auto i = static_cast<std::size_t>(nth(body.nodes, k));
       const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - centre;
       add_force(of(scratch.force[i]), arm, sums);
       if (model.loaded()) add_force(of(scratch.load[i]), arm, sums + wrench_width);

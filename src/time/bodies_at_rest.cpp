@@ -10,7 +10,7 @@ namespace brunt::time {
 std::vector<char> nodes_of_bodies(const model::Model& model) {
   std::vector<char> carried(model.bodies.empty() ? 0 : static_cast<std::size_t>(model.nodes()), 0);
   for (const model::RigidBody& body : model.bodies)
-    for (const LocalIndex node : body.nodes) carried[static_cast<std::size_t>(node)] = 1;
+    for (const LocalIndex node : body.nodes) nth(carried, node) = 1;
   return carried;
 }
 

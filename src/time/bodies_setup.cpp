@@ -80,8 +80,7 @@ MassMoments element_moments(const model::Model& model, const model::ElementBlock
                             const Vec3& from) {
   const double density = material::initial_moduli(block.law).density;
   std::array<Vec3, cells::most_corners> corner;
-  for (int c = 0; c < block.corners; ++c)
-    corner[static_cast<std::size_t>(c)] = of(model.reference[static_cast<std::size_t>(block.corner_node(e, c))]) - from;
+  for (int c = 0; c < block.corners; ++c) nth(corner, c) = of(nth(model.reference, block.corner_node(e, c))) - from;
   return block.shape == cells::Shape::hex8
              ? rigid::hexahedron_moments(corner, density)
              : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
@@ -92,7 +91,7 @@ MassProperties own_properties(const comm::Communicator& ranks, const model::Mode
                               const Vec3& from) {
   MomentSums sums;
   for (const std::int32_t b : body.blocks) {
-    const model::ElementBlock& block = model.blocks[static_cast<std::size_t>(b)];
+    const model::ElementBlock& block = nth(model.blocks, b);
     for (LocalIndex e = 0; e < block.count; ++e) sums.add(element_moments(model, block, e, from));
   }
   MassProperties own = rigid::properties_of(sums.total(ranks));
@@ -130,8 +129,8 @@ void link_bodies(const comm::Communicator& ranks, model::Model& model) {
     share_knowledge(ranks, body);
     close_support(body);
     std::erase_if(body.forced, [&](LocalIndex k) {
-      const LocalIndex node = body.nodes[static_cast<std::size_t>(k)];
-      return model.mesh.owner[static_cast<std::size_t>(node)] != ranks.rank();
+      const LocalIndex node = nth(body.nodes, k);
+      return nth(model.mesh.owner, node) != ranks.rank();
     });
     body.is_forced = ranks.any(!body.forced.empty());
   }
@@ -162,7 +161,7 @@ void start_bodies(const model::Model& model, model::State& state) {
     for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
       if (!body.drive[dof]) continue;
       const auto c = static_cast<int>(dof % 3);
-      const model::Drive& drive = model.drives[static_cast<std::size_t>(*body.drive[dof])];
+      const model::Drive& drive = nth(model.drives, *body.drive[dof]);
       (dof < 3 ? now.velocity : spin)[c] = driven_start(drive, (dof < 3 ? velocity : body.start.spin)[c]);
     }
     now.angular_momentum = rigid::angular_momentum_of(body.body, now, spin);

@@ -95,7 +95,7 @@ bool erode(const comm::Communicator& ranks, const model::Model& model, model::St
     if (!block.erosion) continue;
     const Histories histories(block, state, scratch, b);
     for (LocalIndex e = 0; e < block.count; ++e) {
-      double& alive = state.alive[b][static_cast<std::size_t>(e)];
+      double& alive = nth(state.alive[b], e);
       if (alive <= 0) continue;
       GlobalIndex* count = met(block, histories, e, counts[b]);
       if (count == nullptr) continue;

@@ -138,7 +138,7 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   size_nodes(model, state, scratch);
   model.owned.clear();
   for (LocalIndex i = 0; i < model.nodes(); ++i)
-    if (model.mesh.owner[static_cast<std::size_t>(i)] == links.ranks.rank()) model.owned.push_back(i);
+    if (nth(model.mesh.owner, i) == links.ranks.rank()) model.owned.push_back(i);
 
   const auto sum_masses = [&](force::Lumped elements) {
     force::lump_mass(model, state, scratch, elements);
@@ -154,9 +154,9 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   sum_masses(force::Lumped::all);
   std::ranges::fill(scratch.slots, 0.0);  // those of rigid elements remain zero, since these have no forces
   for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].mass = scratch.force[i][0];
-  for (const LocalIndex node : model.deferred) state.nodes[static_cast<std::size_t>(node)].deferred = 1.0;
+  for (const LocalIndex node : model.deferred) nth(state.nodes, node).deferred = 1.0;
   for (const model::RigidBody& body : model.bodies)
-    for (const LocalIndex node : body.nodes) state.nodes[static_cast<std::size_t>(node)].deferred = 1.0;
+    for (const LocalIndex node : body.nodes) nth(state.nodes, node).deferred = 1.0;
   if (model.relaxes)
     state.relaxation.under_way = 1;
   else
@@ -168,12 +168,12 @@ void start_velocities(const model::Model& model, model::State& state, std::span<
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     for (int c = 0; c < 3; ++c) state.nodes[i].v[c] = velocity[i][c];
   for (const model::ConstrainedNode& constrained : model.constrained) {
-    Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
+    Eigen::Map<Vec3> v(nth(state.nodes, constrained.node).v);
     const Vec3 given = v;
     v = constrained.free * v;
     for (int c = 0; c < 3; ++c) {
-      const std::int32_t drive = constrained.drive[static_cast<std::size_t>(c)];
-      if (drive >= 0) v[c] = driven_start(model.drives[static_cast<std::size_t>(drive)], given[c]);
+      const std::int32_t drive = nth(constrained.drive, c);
+      if (drive >= 0) v[c] = driven_start(nth(model.drives, drive), given[c]);
     }
   }
   start_bodies(model, state);
@@ -191,7 +191,7 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
   registry.node_gid = mesh.node_gid;
   for (const LocalIndex node : model.owned) {
     registry.owned_node.push_back(node);
-    registry.owned_node_gid.push_back(mesh.node_gid[static_cast<std::size_t>(node)]);
+    registry.owned_node_gid.push_back(nth(mesh.node_gid, node));
   }
   const LocalIndex n = model.nodes();
   auto& arrays = registry.arrays;

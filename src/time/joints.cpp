@@ -90,7 +90,7 @@ template <class Visit>
 void for_driven(const model::Model& model, const BodyJoint& joint, const JointPlace& place, Visit&& visit) {
   Eigen::Index row = place.first_row;
   for (std::size_t c = 0; c < 3; ++c) {
-    if (joint.drive[c]) visit(row, model.drives[static_cast<std::size_t>(*joint.drive[c])]);
+    if (joint.drive[c]) visit(row, nth(model.drives, *joint.drive[c]));
     if (joint.joint.holds[c]) ++row;
   }
 }
@@ -101,11 +101,9 @@ void want_gaps(const model::Model& model, const model::State& state, const model
   now.wanted.setZero(group.rows);
   const Eigen::VectorXd before = now.system.rates(velocities(scratch, group, &BodyStep::before));
   for (const JointPlace& place : group.joints)
-    for_driven(model, model.joints[static_cast<std::size_t>(place.number)], place,
-               [&](Eigen::Index row, const model::Drive& drive) {
-                 now.wanted[row] =
-                     gaps[row] + step.dt * driven_component(drive, before[row], state.time, step.dt, step.dt_mean);
-               });
+    for_driven(model, nth(model.joints, place.number), place, [&](Eigen::Index row, const model::Drive& drive) {
+      now.wanted[row] = gaps[row] + step.dt * driven_component(drive, before[row], state.time, step.dt, step.dt_mean);
+    });
 }
 
 /// Which joint's row is the widest open, over the size of its bodies.
@@ -162,7 +160,7 @@ void place_joints(model::Model& model, model::State& state, model::Scratch& scra
     joint.size = 0;
     for (std::size_t side = 0; side < 2; ++side) {
       if (joint.body[side] == no_index) continue;
-      model::RigidBody& body = model.bodies[static_cast<std::size_t>(joint.body[side])];
+      model::RigidBody& body = nth(model.bodies, joint.body[side]);
       const rigid::MassProperties& mass = body.body.mass;
       body.is_jointed = true;
       joint.joint.arm[side] -= mass.centre;
@@ -252,7 +250,7 @@ void book_joints(const model::Model& model, model::State& state, model::Scratch&
       account.impulse += on_first.force;
       account.angular_impulse += on_first.moment - (sides[0].turn * place.joint.arm[0]).cross(on_first.force);
       if (!model.joints[j].is_support()) continue;
-      BodyStep& body = scratch.bodies[static_cast<std::size_t>(model.joints[j].body[0])];
+      BodyStep& body = nth(scratch.bodies, model.joints[j].body[0]);
       body.pivot.force += on_first.force;
       body.pivot.moment += on_first.moment;
       for_driven(model, model.joints[j], place, [&](Eigen::Index row, const model::Drive&) {

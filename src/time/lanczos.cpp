@@ -84,7 +84,7 @@ class Lanczos {
         };
         for (int lane = 0; lane < std::min(pack_width, block.count - batch * pack_width); ++lane)
           for (int c = 0; c < block.corners; ++c)
-            answer_[static_cast<std::size_t>(block.corner_node(batch * pack_width + lane, c))][0] += share(lane);
+            nth(answer_, block.corner_node(batch * pack_width + lane, c))[0] += share(lane);
         for (const model::BorderCorner& corner : block.border.row(batch))
           slots_[4 * static_cast<std::size_t>(corner.slot)] = share(corner.lane);
       }

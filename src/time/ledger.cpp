@@ -126,10 +126,9 @@ void add_nodes(const model::Model& model, const model::State& state, const model
   std::size_t next_constrained = 0;
   const std::vector<char> carried = nodes_of_bodies(model);
   for (const LocalIndex node : model.owned) {
-    if (!carried.empty() && carried[static_cast<std::size_t>(node)]) continue;
+    if (!carried.empty() && nth(carried, node)) continue;
     NodeStep own{.is_dropped = std::ranges::binary_search(state.living.dropped, node)};
-    if (model.damped() || state.nodes[static_cast<std::size_t>(node)].deferred != 0.0)
-      own.before = &scratch.before[static_cast<std::size_t>(node)];
+    if (model.damped() || nth(state.nodes, node).deferred != 0.0) own.before = &nth(scratch.before, node);
     while (next_constrained < model.constrained.size() && model.constrained[next_constrained].node < node)
       ++next_constrained;
     if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == node)
@@ -154,7 +153,7 @@ void add_elements(const model::Model& model, const model::State& state, Sums& su
       for (LocalIndex e = 0; e < block.count; ++e) {
         if (!model::lives(state, b, e)) continue;
         const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * block.history_size + range->first;
-        sums[term].add(state.history[b][static_cast<std::size_t>(row * pack_width + e % pack_width)]);
+        sums[term].add(nth(state.history[b], row * pack_width + e % pack_width));
       }
     };
     add("hourglass_energy", hourglass);

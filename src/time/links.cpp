@@ -13,8 +13,8 @@ namespace {
 /// Gives a slot to each corner on a node that is shared with other ranks or used by probes, in canonical element order.
 std::vector<comm::Contribution> number_slots(model::Model& model) {
   std::vector<char> shared(model.mesh.node_gid.size(), 0);
-  for (const LocalIndex node : model.mesh.shared) shared[static_cast<std::size_t>(node)] = 1;
-  for (const LocalIndex node : model.watched) shared[static_cast<std::size_t>(node)] = 1;
+  for (const LocalIndex node : model.mesh.shared) nth(shared, node) = 1;
+  for (const LocalIndex node : model.watched) nth(shared, node) = 1;
   std::vector<comm::Contribution> contributions;
   for (model::ElementBlock& block : model.blocks) {
     block.border.clear();
@@ -22,11 +22,10 @@ std::vector<comm::Contribution> number_slots(model::Model& model) {
       for (int lane = 0; lane < std::min(pack_width, block.count - batch * pack_width); ++lane)
         for (int c = 0; c < block.corners; ++c) {
           const LocalIndex element = batch * pack_width + lane, node = block.corner_node(element, c);
-          if (!shared[static_cast<std::size_t>(node)]) continue;
+          if (!nth(shared, node)) continue;
           block.border.values.push_back({static_cast<std::int8_t>(lane), static_cast<std::int8_t>(c),
                                          static_cast<LocalIndex>(contributions.size())});
-          contributions.push_back({cells::key_of(block.gid[static_cast<std::size_t>(element)], c),
-                                   model.mesh.node_gid[static_cast<std::size_t>(node)], node});
+          contributions.push_back({cells::key_of(nth(block.gid, element), c), nth(model.mesh.node_gid, node), node});
         }
       block.border.close_row();
     }
@@ -52,10 +51,10 @@ void weigh_dead_load(const comm::Communicator& ranks, model::DeadLoad& load, con
     areas.push_back(force::reference_area(model, face));
     const int count = static_cast<int>(cells::corner_count(face.nodes));
     for (int k = 0; k < count; ++k) {
-      const LocalIndex node = face.nodes[static_cast<std::size_t>(k)];
-      corners.push_back({cells::key_of_face_corner(face.key, k), mesh.node_gid[static_cast<std::size_t>(node)], node});
+      const LocalIndex node = nth(face.nodes, k);
+      corners.push_back({cells::key_of_face_corner(face.key, k), nth(mesh.node_gid, node), node});
       shares.push_back(areas.back() / count);
-      at_node[static_cast<std::size_t>(node)] += shares.back();
+      nth(at_node, node) += shares.back();
     }
   }
   comm::OrderedSum sum(ranks, corners, mesh.shared, shared_gid, mesh.sharers);
@@ -82,7 +81,7 @@ void weigh_dead_loads(const comm::Communicator& ranks, model::Model& model, std:
 Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   const mesh::LocalMesh& mesh = model.mesh;
   std::vector<GlobalIndex> shared_gid;
-  for (const LocalIndex node : mesh.shared) shared_gid.push_back(mesh.node_gid[static_cast<std::size_t>(node)]);
+  for (const LocalIndex node : mesh.shared) shared_gid.push_back(nth(mesh.node_gid, node));
 
   const std::vector<comm::Contribution> corners = number_slots(model);
   Links links{.ranks = ranks, .corner_forces = comm::OrderedSum(ranks, corners, mesh.shared, shared_gid, mesh.sharers)};
@@ -96,7 +95,7 @@ Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   if (!model.pressure.empty()) {
     std::vector<comm::Contribution> faces;
     for (const force::PressureCorner& corner : links.pressure_corners)
-      faces.push_back({corner.key, mesh.node_gid[static_cast<std::size_t>(corner.node)], corner.node});
+      faces.push_back({corner.key, nth(mesh.node_gid, corner.node), corner.node});
     links.pressure = comm::OrderedSum(ranks, faces, mesh.shared, shared_gid, mesh.sharers);
     links.pressure_slots.resize(faces.size());
     links.pressure_sum.resize(mesh.node_gid.size());

@@ -109,9 +109,8 @@ Vec3 driven_velocity(const model::Model& model, const model::State& state, const
   Vec3 velocity = Vec3::Zero();
   if (state.relaxation.under_way != 0) return velocity;
   for (int c = 0; c < 3; ++c) {
-    const std::int32_t drive = constrained.drive[static_cast<std::size_t>(c)];
-    if (drive >= 0)
-      velocity[c] = driven_component(model.drives[static_cast<std::size_t>(drive)], before[c], state.time, dt, dt_mean);
+    const std::int32_t drive = nth(constrained.drive, c);
+    if (drive >= 0) velocity[c] = driven_component(nth(model.drives, drive), before[c], state.time, dt, dt_mean);
   }
   return velocity;
 }
@@ -150,14 +149,14 @@ contact::VelocitySpan predict(const model::Model& model, model::State& state, mo
   predict_nodes(model, state, scratch, step, velocities);
   for (std::size_t k = 0; k < model.constrained.size(); ++k) {
     const model::ConstrainedNode& constrained = model.constrained[k];
-    NodeLine& node = state.nodes[static_cast<std::size_t>(constrained.node)];
+    NodeLine& node = nth(state.nodes, constrained.node);
     if (node.is_dropped()) {
       scratch.reaction[k].setZero();
       continue;
     }
     Eigen::Map<Vec3> v(node.v);
-    const Vec3 given = driven_velocity(
-        model, state, constrained, scratch.before[static_cast<std::size_t>(constrained.node)], step.dt, step.dt_mean);
+    const Vec3 given =
+        driven_velocity(model, state, constrained, nth(scratch.before, constrained.node), step.dt, step.dt_mean);
     const Vec3 allowed = constrained.free * v + given;
     scratch.reaction[k] = (1 + step.drag) * node.mass * (allowed - v);
     v = allowed;

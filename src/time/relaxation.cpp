@@ -22,8 +22,8 @@ double kinetic_energy(const model::Model& model, const model::State& state, cons
   std::array<comm::ExactAccumulator, 1> sum;
   const std::vector<char> carried = nodes_of_bodies(model);
   for (const LocalIndex node : model.owned) {
-    if (!carried.empty() && carried[static_cast<std::size_t>(node)] != 0) continue;
-    const model::NodeLine& line = state.nodes[static_cast<std::size_t>(node)];
+    if (!carried.empty() && nth(carried, node) != 0) continue;
+    const model::NodeLine& line = nth(state.nodes, node);
     sum[0].add(0.5 * line.mass * Eigen::Map<const Vec3>(line.v).squaredNorm());
   }
   std::array<double, 1> energy{};
@@ -80,7 +80,7 @@ void stop_nodes(const model::Model& model, model::State& state, const model::Scr
         -0.5 * dt_mean / node.mass * (of(scratch.force[i]) + of(scratch.load[i]) + Vec3(&state.held_force[3 * i]));
   }
   for (const model::ConstrainedNode& constrained : model.constrained) {
-    Eigen::Map<Vec3> v(state.nodes[static_cast<std::size_t>(constrained.node)].v);
+    Eigen::Map<Vec3> v(nth(state.nodes, constrained.node).v);
     v = constrained.free * v;
   }
   stop_bodies(model, scratch, dt_mean, state);

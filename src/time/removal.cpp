@@ -24,8 +24,7 @@ bool removal_is_due(const model::Model& model, const model::State& state) {
 void follow_alive(const comm::Communicator& ranks, const model::Model& model, model::State& state) {
   state.living = model::follow(model, state);
   if (!state.alive.empty()) state.living.dropped = surface::bare_nodes(ranks, model.mesh, state.alive).dropped;
-  for (const LocalIndex node : state.living.dropped)
-    state.nodes[static_cast<std::size_t>(node)].deferred = model::NodeLine::dropped;
+  for (const LocalIndex node : state.living.dropped) nth(state.nodes, node).deferred = model::NodeLine::dropped;
 }
 
 std::vector<GlobalIndex> remove_elements(const comm::Communicator& ranks, const model::Model& model,
@@ -35,7 +34,7 @@ std::vector<GlobalIndex> remove_elements(const comm::Communicator& ranks, const 
     if (!is_due(removal, state)) continue;
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
       for (const LocalIndex element : removal.elements[b]) {
-        double& alive = state.alive[b][static_cast<std::size_t>(element)];
+        double& alive = nth(state.alive[b], element);
         if (alive > 0) {
           ++lost[b];
           alive = removal.keeps_nodes ? 0 : -1;

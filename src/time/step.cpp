@@ -83,11 +83,11 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   if (scratch.contact_impulse.empty()) return;
   // impulses of contact along constrained directions act on the supports
   for (const model::ConstrainedNode& constrained : model.constrained)
-    scratch.contact_impulse[static_cast<std::size_t>(constrained.node)].setZero();
+    nth(scratch.contact_impulse, constrained.node).setZero();
   contact::add_impulses(contact, scratch.contact_impulse);
   for (std::size_t k = 0; k < model.constrained.size(); ++k) {
     const model::ConstrainedNode& constrained = model.constrained[k];
-    const Vec3& impulse = scratch.contact_impulse[static_cast<std::size_t>(constrained.node)];
+    const Vec3& impulse = nth(scratch.contact_impulse, constrained.node);
     scratch.reaction[k] -= impulse - constrained.free * impulse;
   }
 }

@@ -16,7 +16,7 @@ void sum_forces(const model::Model& model, const model::State& state, model::Scr
   if (model.loaded()) clear_body_loads(model, scratch);
   force::add_dead_loads(model, state.time, scratch);
   if (model.loaded())
-    for (const LocalIndex node : state.living.dropped) scratch.load[static_cast<std::size_t>(node)] = Quad{};
+    for (const LocalIndex node : state.living.dropped) nth(scratch.load, node) = Quad{};
   links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
                           4);
   if (model.pressure.empty()) return;
@@ -26,7 +26,7 @@ void sum_forces(const model::Model& model, const model::State& state, model::Scr
                                       4 * links.pressure_slots.size()};
   std::fill(links.pressure_sum.begin(), links.pressure_sum.end(), Quad{});
   for (std::size_t k = 0; k < links.pressure_corners.size(); ++k)
-    links.pressure_sum[static_cast<std::size_t>(links.pressure_corners[k].node)] += links.pressure_slots[k];
+    nth(links.pressure_sum, links.pressure_corners[k].node) += links.pressure_slots[k];
   links.pressure.begin(slots, 4);
   links.pressure.end(slots, 4, {reinterpret_cast<double*>(links.pressure_sum.data()), 4 * links.pressure_sum.size()},
                      4);

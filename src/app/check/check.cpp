@@ -47,9 +47,8 @@ std::vector<PartFigures> part_figures(const Prepared& run) {
   for (std::size_t b = 0; b < n; ++b) figures[b] = {run.model.block_size[b], mass[b]};
   for (const model::RigidBody& body : run.model.bodies) {  // a given mass is all parts' in proportion
     double elements = 0;
-    for (const std::int32_t b : body.blocks) elements += mass[static_cast<std::size_t>(b)];
-    for (const std::int32_t b : body.blocks)
-      figures[static_cast<std::size_t>(b)].mass = mass[static_cast<std::size_t>(b)] / elements * body.own.mass;
+    for (const std::int32_t b : body.blocks) elements += nth(mass, b);
+    for (const std::int32_t b : body.blocks) nth(figures, b).mass = nth(mass, b) / elements * body.own.mass;
   }
   return figures;
 }
@@ -95,7 +94,7 @@ void print_parts(const Prepared& run, const std::vector<PartFigures>& figures, c
 std::string parts_of(const Prepared& run, const model::RigidBody& body) {
   std::string text = body.part;
   for (std::size_t k = 1; k < body.blocks.size(); ++k)
-    text += (k == 1 ? " with " : ", ") + run.model.blocks[static_cast<std::size_t>(body.blocks[k])].part;
+    text += (k == 1 ? " with " : ", ") + nth(run.model.blocks, body.blocks[k]).part;
   return text;
 }
 

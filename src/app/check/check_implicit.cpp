@@ -15,9 +15,7 @@ namespace brunt::app {
 namespace {
 
 std::string interface_line(const Prepared& run, const contact::MortarPair& pair) {
-  const auto part = [&](std::int32_t block) -> const std::string& {
-    return run.model.blocks[static_cast<std::size_t>(block)].part;
-  };
+  const auto part = [&](std::int32_t block) -> const std::string& { return nth(run.model.blocks, block).part; };
   std::string line = pair.slave == pair.master
                          ? fmt::format("{:<16} {} with itself: ", "mortar", part(pair.slave))
                          : fmt::format("{:<16} {} (slave) and {}: ", "mortar", part(pair.slave), part(pair.master));

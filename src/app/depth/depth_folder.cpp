@@ -63,7 +63,7 @@ void DepthFolder::write_surfaces(const DepthWork& work, const std::vector<DepthR
   if (folder_.empty()) return;
   for (const DepthRow& row : rows) {
     if (!row.answer.overlap || !row.answer.found) continue;
-    const DepthWork::Pose& pose = work.poses[static_cast<std::size_t>(row.pose)];
+    const DepthWork::Pose& pose = nth(work.poses, row.pose);
     const std::string stem = fmt::format("{}/pose{}_{}", folder_, row.pose, name_of(row.metric));
     io::write_ply(stem + "_before.ply", placed(work.surfaces[pose.a].surface, pose.start));
     io::write_ply(stem + "_after.ply", placed(work.surfaces[pose.a].surface, row.answer.placement));

@@ -68,7 +68,7 @@ Columns columns_of(std::string_view header, const std::string& place) {
     const auto found = std::ranges::find(known, name);
     if (found == known.end())
       throw InputError(fmt::format("{}: unknown column '{}'{}", place, excerpt(name), expected));
-    std::size_t& at = columns.at[static_cast<std::size_t>(found - known.begin())];
+    std::size_t& at = nth(columns.at, found - known.begin());
     if (at != std::string_view::npos)
       throw InputError(fmt::format("{}: invalid second column '{}'{}", place, excerpt(name), expected));
     at = columns.count++;

@@ -17,8 +17,8 @@ contact::TrackedTotals watched(const Prepared& run, const std::vector<double>& v
   contact::TrackedTotals totals;
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     const contact::MortarPair& pair = contact.interfaces[k].pair;
-    const std::string& slave = run.model.blocks[static_cast<std::size_t>(pair.slave)].part;
-    const std::string& master = run.model.blocks[static_cast<std::size_t>(pair.master)].part;
+    const std::string& slave = nth(run.model.blocks, pair.slave).part;
+    const std::string& master = nth(run.model.blocks, pair.master).part;
     const bool as_slave = slave == part && (other.empty() || master == other);
     const bool as_master = master == part && (other.empty() || slave == other);
     if (!as_slave && !as_master) continue;

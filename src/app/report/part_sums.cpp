@@ -16,7 +16,7 @@ namespace {
 double remembered(const Prepared& run, std::size_t b, LocalIndex element, const model::HistoryRange& range) {
   const model::ElementBlock& block = run.model.blocks[b];
   const std::ptrdiff_t row = std::ptrdiff_t{element / pack_width} * block.history_size + range.first;
-  return run.state.history[b][static_cast<std::size_t>(row * pack_width + element % pack_width)];
+  return nth(run.state.history[b], row * pack_width + element % pack_width);
 }
 
 /// Calls visit(node, its share of the element's mass) for all corners of the part's elements but those that were
@@ -67,10 +67,10 @@ PartNodes nodes_of_part(const Prepared& run, const std::string& part) {
   nodes.block = static_cast<std::size_t>(found - run.model.blocks.begin());
   std::vector<char> own(static_cast<std::size_t>(run.model.nodes()), 0);
   for (LocalIndex e = 0; e < found->count; ++e)
-    for (int c = 0; c < found->corners; ++c) own[static_cast<std::size_t>(found->corner_node(e, c))] = 1;
-  for (const LocalIndex node : run.model.between_parts) own[static_cast<std::size_t>(node)] = 0;
+    for (int c = 0; c < found->corners; ++c) nth(own, found->corner_node(e, c)) = 1;
+  for (const LocalIndex node : run.model.between_parts) nth(own, node) = 0;
   for (const LocalIndex node : run.model.owned)
-    if (own[static_cast<std::size_t>(node)]) nodes.own.push_back(node);
+    if (nth(own, node)) nodes.own.push_back(node);
   return nodes;
 }
 

@@ -105,7 +105,7 @@ contact::TrackedTotals tracked_totals(const Prepared& run, const contact::Contac
   if (run.implicit) return watched_contact(run, probe.where, probe.other);
   const auto tracked = std::ranges::find(run.tracked, std::array{probe.where, probe.other});
   if (tracked == run.tracked.end()) return {};
-  return totals.tracked[static_cast<std::size_t>(tracked - run.tracked.begin())];
+  return nth(totals.tracked, tracked - run.tracked.begin());
 }
 
 /// Impulses on the two sides cancel then: sizes alone are told.

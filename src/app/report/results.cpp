@@ -49,9 +49,7 @@ std::string controlling_element(const Prepared& run, const time::StepReport& ste
   const double largest = run.links.ranks.max(step.elements.rate);
   const bool mine = step.elements.rate == largest && step.elements.block >= 0;
   GlobalIndex gid = -1;
-  if (mine)
-    gid = run.model.blocks[static_cast<std::size_t>(step.elements.block)]
-              .input[static_cast<std::size_t>(step.elements.element)];
+  if (mine) gid = nth(run.model.blocks, step.elements.block).input[static_cast<std::size_t>(step.elements.element)];
   gid = run.links.ranks.max(gid);                     // where two have the same rate, one of them is named
   return gid < 0 ? "-" : fmt::format("{}", gid + 1);  // rigid bodies alone: run.step
 }
@@ -222,7 +220,7 @@ void Results::write_summary(const std::string& stopped_by, int exit_code, double
   std::array<double, phases> seconds{};
   for (std::size_t p = 0; p < phases; ++p) seconds[p] = cost.timers.seconds(static_cast<Phase>(p));
   ranks.max(seconds);  // the slowest rank in each phase
-  const double output = seconds[static_cast<std::size_t>(Phase::output)];
+  const double output = nth(seconds, Phase::output);
   const double loop = std::max(cost.seconds - output, 1e-12);
   const GlobalIndex removed = time::removed_elements(ranks, run_.state);
   double measured = 0;

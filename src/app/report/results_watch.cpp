@@ -67,9 +67,9 @@ std::string where_friction_gives(const Prepared& run) {
   if (mine) place = {here.position[0], here.position[1], here.position[2]};
   ranks.max(place);
   const GlobalIndex master = ranks.max(mine ? GlobalIndex{here.master_block} : GlobalIndex{-2});
-  return fmt::format(
-      "; in the last step the largest contribution was at {} on {}", text_of_point(run, {place[0], place[1], place[2]}),
-      master < 0 ? "a rigid wall" : "part '" + run.model.blocks[static_cast<std::size_t>(master)].part + "'");
+  return fmt::format("; in the last step the largest contribution was at {} on {}",
+                     text_of_point(run, {place[0], place[1], place[2]}),
+                     master < 0 ? "a rigid wall" : "part '" + nth(run.model.blocks, master).part + "'");
 }
 
 /// Elastic hourglass springs differ from those of `stiffness` only in plastic flow.
@@ -126,7 +126,7 @@ void Results::watch(const time::Ledger& ledger, double time) {
       energy_growth(ledger, run_.extremes, run_.overlaps.recovered, of_rounding, cause_if_rigid(run_), limits);
   for (const Finding& finding : judge(ledger, run_.extremes, of_rounding, gives(run_), limits)) {
     if (later && finding.fault != Fault::balance) continue;
-    bool& reported = reported_[static_cast<std::size_t>(finding.fault)];
+    bool& reported = nth(reported_, finding.fault);
     const bool makes_energy = trapezoidal && finding.fault == Fault::contact;
     const bool stop = (finding.stop || makes_energy) && growth.empty();
     if (reported && !stop) continue;
@@ -154,10 +154,9 @@ void Results::judge_whole_run(bool complete) {
   const Extremes& seen = run_.extremes;
   const char* of = complete ? "the largest energy of the run" : "the largest energy so far";
   for (const Finding& finding : judge_whole(seen, rounding(last_ledger_), run_.input.guards)) {
-    const std::string text =
-        fmt::format("{} ({:.3g}; external work {:.3g}){}; {}",
-                    text_of(finding, seen.worst_time[static_cast<std::size_t>(finding.fault)], of), seen.largest_energy,
-                    last_ledger_.external, where(finding.fault), cause_of(finding.fault));
+    const std::string text = fmt::format("{} ({:.3g}; external work {:.3g}){}; {}",
+                                         text_of(finding, nth(seen.worst_time, finding.fault), of), seen.largest_energy,
+                                         last_ledger_.external, where(finding.fault), cause_of(finding.fault));
     if (finding.stop && complete) throw GuardError(text);
     log_.warning(text);
   }

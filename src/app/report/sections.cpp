@@ -12,7 +12,7 @@ namespace brunt::app {
 namespace {
 
 Vec3 position(const Prepared& run, LocalIndex node) {
-  return Eigen::Map<const Vec3>(run.state.nodes[static_cast<std::size_t>(node)].x);
+  return Eigen::Map<const Vec3>(nth(run.state.nodes, node).x);
 }
 
 void add(std::span<comm::ExactAccumulator> sums, const Vec3& value) {

@@ -248,8 +248,7 @@ void Loop::watch_iterations() {
 
 void Loop::stop_for_element(const time::StepReport& step) {
   const ElementPlace place = place_of(run_, step.elements.inverted_block, step.elements.inverted_element);
-  const char* cause =
-      place.block < 0 ? "" : cause_of_lost_volume(run_.model.blocks[static_cast<std::size_t>(place.block)]);
+  const char* cause = place.block < 0 ? "" : cause_of_lost_volume(nth(run_.model.blocks, place.block));
   throw GuardError(fmt::format("{} has no volume left, or values that are not finite, at t = {:g}, step {}{}",
                                text_of(place), run_.state.time, static_cast<GlobalIndex>(run_.state.step), cause));
 }

@@ -92,8 +92,7 @@ Traffic add_ghosts(const comm::Communicator& ranks, TextScene& scene) {
   const double finest = contact::finest_cell(ranks, scene.boxes);
   for (const std::vector<LocalIndex>& leaving : contact::meet_in_cells(ranks, scene.boxes, wanted, finest)) {
     outgoing.emplace_back();
-    for (const LocalIndex f : leaving)
-      outgoing.back().push_back({scene.face_id[static_cast<std::size_t>(f)], scene.faces[static_cast<std::size_t>(f)]});
+    for (const LocalIndex f : leaving) outgoing.back().push_back({nth(scene.face_id, f), nth(scene.faces, f)});
     traffic.messages += leaving.empty() ? 0 : 1;
     traffic.bytes += static_cast<GlobalIndex>(leaving.size() * sizeof(Travelling));
   }

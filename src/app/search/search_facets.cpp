@@ -39,7 +39,7 @@ TextFacet facet_of(GlobalIndex id, const std::array<GlobalIndex, 4>& corners, co
   geometry::Box box;
   for (std::size_t i = 0; i < 4; ++i) {
     const GlobalIndex corner = corners[i] < 0 ? corners[2] : corners[i];
-    const Vec3& x = nodes[static_cast<std::size_t>(corner)];
+    const Vec3& x = nth(nodes, corner);
     extend(box, x);
     facet.corners[i] = {x[0], x[1], x[2]};
   }
@@ -76,7 +76,7 @@ FacetScene read_facet_scene(const std::string& path) {
     for (std::size_t k = 0; k < 4; ++k)
       if (corners[k] >= n || corners[k] < (k == 3 ? -1 : 0))
         throw fault(n + i + 2, "node ids from 0 to n - 1, with -1 as the last one of a triangle");
-    scene.sides[static_cast<std::size_t>(side)].push_back(facet_of(i, corners, nodes, scene.distance));
+    nth(scene.sides, side).push_back(facet_of(i, corners, nodes, scene.distance));
   }
   return scene;
 }
@@ -106,7 +106,7 @@ Traffic add_ghosts(const comm::Communicator& ranks, FacetScene& scene) {
   std::vector<std::vector<TextFacet>> outgoing;
   for (const std::vector<LocalIndex>& leaving : contact::meet_in_cells(ranks, offered, wanted, finest)) {
     outgoing.emplace_back();
-    for (const LocalIndex i : leaving) outgoing.back().push_back(masters[static_cast<std::size_t>(i)]);
+    for (const LocalIndex i : leaving) outgoing.back().push_back(nth(masters, i));
     traffic.messages += leaving.empty() ? 0 : 1;
     traffic.bytes += static_cast<GlobalIndex>(leaving.size() * sizeof(TextFacet));
   }
@@ -191,9 +191,7 @@ SearchResult search_facets(const comm::Communicator& ranks, const SearchOptions&
     timing.query = ranks.max(timing.query);
     if (k == 0 || timing.total() < result.best.total()) result.best = timing;
     if (k > 0) continue;
-    for (const auto& [slave, master] : pairs)
-      result.found.push_back(
-          {slaves[static_cast<std::size_t>(slave)].id, masters[static_cast<std::size_t>(master)].id});
+    for (const auto& [slave, master] : pairs) result.found.push_back({nth(slaves, slave).id, nth(masters, master).id});
   }
   return result;
 }
@@ -215,8 +213,7 @@ Timing search_boxes_by_trees(std::span<const Vec3> points, std::span<const geome
   pairs.clear();
   auto pair = found.begin();
   for (LocalIndex p = 0; p < static_cast<LocalIndex>(points.size()); ++p) {
-    for (; pair != found.end() && pair->slave == p; ++pair)
-      pairs.values.push_back(box_of[static_cast<std::size_t>(pair->master)]);
+    for (; pair != found.end() && pair->slave == p; ++pair) pairs.values.push_back(nth(box_of, pair->master));
     pairs.close_row();
   }
   return timing;

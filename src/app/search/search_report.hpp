@@ -16,7 +16,7 @@ std::vector<T> deal(const comm::Communicator& ranks, const std::vector<T>& whole
   std::vector<std::vector<T>> outgoing(static_cast<std::size_t>(ranks.size()));
   for (Rank r = 0; ranks.is_root() && r < ranks.size(); ++r) {
     const auto first = whole.begin() + layout.first(r);
-    outgoing[static_cast<std::size_t>(r)].assign(first, first + layout.count(r));
+    nth(outgoing, r).assign(first, first + layout.count(r));
   }
   return comm::exchange(ranks, outgoing).values;
 }

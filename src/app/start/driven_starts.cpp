@@ -54,8 +54,8 @@ std::vector<std::string> driven_starts(const Prepared& run, std::span<const Vec3
   fastest = run.links.ranks.max(fastest);
   for (const model::ConstrainedNode& node : model.constrained)
     for (int c = 0; c < 3; ++c)
-      if (const std::int32_t drive = node.drive[static_cast<std::size_t>(c)]; drive >= 0)
-        starts.add(model, static_cast<std::size_t>(drive), velocity[static_cast<std::size_t>(node.node)][c], fastest);
+      if (const std::int32_t drive = nth(node.drive, c); drive >= 0)
+        starts.add(model, static_cast<std::size_t>(drive), nth(velocity, node.node)[c], fastest);
   for (const model::RigidBody& body : model.bodies) {
     const Vec3 centre = body.start.velocity + body.start.spin.cross(body.body.mass.centre);
     for (std::size_t dof = 0; dof < body.drive.size(); ++dof)
@@ -72,8 +72,8 @@ std::vector<std::string> driven_starts(const Prepared& run, std::span<const Vec3
     const scene::Prescribed& entry = run.input.prescribed[k];
     lines.push_back(fmt::format(
         "{}: '{}' starts with the velocity of its prescribed motion in {} at t = 0, {:g}, not with {:g} of initial",
-        run.input.at(fmt::format("prescribed.{}", k)), entry.where, directions[static_cast<std::size_t>(entry.dof)],
-        starts.start[k], starts.given[k]));
+        run.input.at(fmt::format("prescribed.{}", k)), entry.where, nth(directions, entry.dof), starts.start[k],
+        starts.given[k]));
   }
   return lines;
 }

@@ -30,8 +30,8 @@ void check_part(const scene::Input& input, const model::ElementBlock& block, std
 
 /// Pairs whose slave is rigid; the slave may follow from the mesh.
 void check_pairs(const model::Model& model, std::vector<std::string>& faults) {
-  const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
-  const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
+  const auto rigid = [&](std::int32_t b) { return material::is_rigid(nth(model.blocks, b).law); };
+  const auto part = [&](std::int32_t b) { return nth(model.blocks, b).part; };
   for (const contact::MortarPair& pair : model.mortar)
     if (rigid(pair.slave) && rigid(pair.master))
       faults.push_back(fmt::format(

@@ -14,7 +14,7 @@ void check_joints(Prepared& run) {
   std::vector<std::string> faults;
   for (const time::OpenedJoint& opened : time::joints_opened(run.model, run.state)) {
     const model::BodyJoint& joint = run.model.joints[opened.joint];
-    const std::string& part = run.model.bodies[static_cast<std::size_t>(joint.body[joint.body[0] == no_index])].part;
+    const std::string& part = nth(run.model.bodies, joint.body[joint.body[0] == no_index]).part;
     faults.push_back(
         joint.is_support()
             ? fmt::format("{}: invalid motion: initial velocities move the supported reference point of "

@@ -37,9 +37,7 @@ void report_ties(Prepared& run) {
   const auto n = static_cast<std::int32_t>(run.model.blocks.size());
   if (nodes.empty()) return;
   std::vector<std::string> faults;
-  const auto part_of = [&](std::int32_t block) -> const std::string& {
-    return run.model.blocks[static_cast<std::size_t>(block)].part;
-  };
+  const auto part_of = [&](std::int32_t block) -> const std::string& { return nth(run.model.blocks, block).part; };
   for (std::int32_t a = 0; a < n; ++a)
     for (std::int32_t b = a; b < n; ++b) {
       if (pairs.at(a, b).tied == contact::Tied::no) continue;
@@ -96,7 +94,7 @@ std::vector<double> extents_of_bodies(const comm::Communicator& ranks, const mod
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     for (const LocalIndex node : model.bodies[b].nodes)
       for (std::size_t c = 0; c < 3; ++c) {
-        const double x = model.reference[static_cast<std::size_t>(node)][static_cast<int>(c)];
+        const double x = nth(model.reference, node)[static_cast<int>(c)];
         far[6 * b + c] = std::max(far[6 * b + c], x);
         far[6 * b + 3 + c] = std::max(far[6 * b + 3 + c], -x);
       }

@@ -67,7 +67,7 @@ std::array<Vec3, 5> positions_of(const comm::Communicator& ranks, const model::M
     const auto gid = static_cast<GlobalIndex>(i == 0 ? record[slave] : record[corners + i - 1]);
     const auto node = std::ranges::find(model.mesh.node_gid, gid);
     if (gid == no_index || node == model.mesh.node_gid.end()) continue;
-    const model::NodeLine& line = state.nodes[static_cast<std::size_t>(node - model.mesh.node_gid.begin())];
+    const model::NodeLine& line = nth(state.nodes, node - model.mesh.node_gid.begin());
     std::copy_n(line.x, 3, &found[3 * i]);
   }
   ranks.max(found);

@@ -130,8 +130,8 @@ std::string text_of(const Finding& finding, double time, const char* of) {
                              "energy of sliding friction",
                              "internal energy",
                              "energy dissipated by contact"};
-  return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of {}, but must not be negative",
-                     names[static_cast<std::size_t>(finding.fault)], finding.energy, time, 100 * finding.share, of);
+  return fmt::format("{} is {:.3g} at t = {:g}, {:.2g} % of {}, but must not be negative", nth(names, finding.fault),
+                     finding.energy, time, 100 * finding.share, of);
 }
 
 std::string likely_cause(Fault fault, const std::string& among_rigid) {

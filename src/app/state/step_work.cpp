@@ -15,10 +15,10 @@ std::vector<double> pairs_of_nodes(const model::Model& model, const contact::Con
   std::vector<double> pairs(static_cast<std::size_t>(model.nodes()), 0.0);
   const contact::ContactLists& lists = contact.lists;
   const auto add = [&](LocalIndex contact_node, double count) {
-    const LocalIndex surface_node = lists.nodes.surface_node[static_cast<std::size_t>(contact_node)];
+    const LocalIndex surface_node = nth(lists.nodes.surface_node, contact_node);
     if (surface_node == no_index) return;
-    const LocalIndex node = contact.surface.model_node[static_cast<std::size_t>(surface_node)];
-    pairs[static_cast<std::size_t>(node)] += count;
+    const LocalIndex node = nth(contact.surface.model_node, surface_node);
+    nth(pairs, node) += count;
   };
   for (std::size_t i = 0; i < lists.candidates.slave.size(); ++i)
     add(lists.candidates.slave[i], static_cast<double>(lists.candidates.faces.row(static_cast<LocalIndex>(i)).size()));
@@ -51,8 +51,8 @@ std::vector<std::vector<double>> pairs_of_elements(const model::Model& model, co
     const model::ElementBlock& block = model.blocks[b];
     for (LocalIndex e = 0; e < block.count; ++e)
       for (int c = 0; c < block.corners; ++c) {
-        double& left = of_node[static_cast<std::size_t>(block.corner_node(e, c))];
-        pairs[b][static_cast<std::size_t>(e)] += left;
+        double& left = nth(of_node, block.corner_node(e, c));
+        nth(pairs[b], e) += left;
         left = 0;
       }
   }

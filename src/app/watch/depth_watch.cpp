@@ -24,7 +24,7 @@ std::vector<Box> boxes_of_parts(const Prepared& run, const contact::Surface& sur
   std::vector<double> most(6 * run.model.blocks.size(), -std::numeric_limits<double>::infinity());
   for (LocalIndex node = 0; node < static_cast<LocalIndex>(surface.gid.size()); ++node) {
     if (!surface.owns(node, run.links.ranks.rank())) continue;
-    const Vec3 x = position[surface.model_node[static_cast<std::size_t>(node)]];
+    const Vec3 x = position[nth(surface.model_node, node)];
     for (const std::int32_t block : surface.blocks.row(node))
       for (std::size_t a = 0; a < 3; ++a) {
         double* const at = &most[6 * static_cast<std::size_t>(block) + a];
@@ -84,16 +84,15 @@ std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, co
     if (cells::of(block.shape).dimension != 3) continue;
     for (LocalIndex e = 0; e < block.count; ++e) {
       if (!model::lives(run.state, b, e)) continue;
-      contact::GhostElement element{.gid = block.gid[static_cast<std::size_t>(e)],
-                                    .corner_count = block.corners,
-                                    .block = static_cast<std::int32_t>(b)};
+      contact::GhostElement element{
+          .gid = nth(block.gid, e), .corner_count = block.corners, .block = static_cast<std::int32_t>(b)};
       element.nodes.fill(no_index);
       Box box;
       for (int c = 0; c < block.corners; ++c) {
         const LocalIndex node = block.corner_node(e, c);
         const Vec3 x = position[node];
-        element.nodes[static_cast<std::size_t>(c)] = run.model.mesh.node_gid[static_cast<std::size_t>(node)];
-        element.corner[static_cast<std::size_t>(c)] = {x[0], x[1], x[2]};
+        nth(element.nodes, c) = nth(run.model.mesh.node_gid, node);
+        nth(element.corner, c) = {x[0], x[1], x[2]};
         geometry::extend(box, x);
       }
       const auto in_part = [&](std::size_t other) {
@@ -110,13 +109,12 @@ std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, co
 }
 
 std::string text_of(const Prepared& run, const contact::DeepNode& deep) {
-  const auto part = [&](std::int32_t block) { return run.model.blocks[static_cast<std::size_t>(block)].part; };
+  const auto part = [&](std::int32_t block) { return nth(run.model.blocks, block).part; };
   const model::Model& model = run.model;
   const auto node = std::ranges::find(model.mesh.node_gid, deep.node);
-  const GlobalIndex id =
-      run.links.ranks.max(node == model.mesh.node_gid.end()
-                              ? GlobalIndex{-1}
-                              : model.mesh.node_id[static_cast<std::size_t>(node - model.mesh.node_gid.begin())]);
+  const GlobalIndex id = run.links.ranks.max(node == model.mesh.node_gid.end()
+                                                 ? GlobalIndex{-1}
+                                                 : nth(model.mesh.node_id, node - model.mesh.node_gid.begin()));
   return fmt::format("{} {} of part '{}' {} {} deep in part '{}' at t = {:g}, step {}, {:.2g} of an element there",
                      deep.on_edge ? "an edge at node" : "node", id, part(deep.node_block), "lies",
                      scene::with_length(deep.depth, run.input.units), part(deep.block), run.state.time,

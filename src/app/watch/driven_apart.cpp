@@ -30,8 +30,7 @@ GlobalIndex support_at(const Prepared& run, GlobalIndex gid, const Vec3& directi
   constexpr double along = 1e-3;  // least part of a direction that makes a support worth naming
   for (std::size_t k = 0; k < input.fixed.size(); ++k) {
     bool holds = false;
-    for (int c = 0; c < 3; ++c)
-      holds = holds || (input.fixed[k].dofs[static_cast<std::size_t>(c)] && std::abs(direction[c]) > along);
+    for (int c = 0; c < 3; ++c) holds = holds || (nth(input.fixed[k].dofs, c) && std::abs(direction[c]) > along);
     look("fixed", k, holds);
   }
   for (std::size_t k = 0; k < input.symmetry.size(); ++k)
@@ -53,9 +52,7 @@ std::string name_of_support(const Prepared& run, GlobalIndex gid, const Vec3& di
 
 std::string text_of(const Prepared& run, const implicit::DrivenApart& found, double time) {
   const contact::MortarPair& pair = run.implicit->contact.interfaces[found.interface].pair;
-  const auto part = [&](std::int32_t block) -> const std::string& {
-    return run.model.blocks[static_cast<std::size_t>(block)].part;
-  };
+  const auto part = [&](std::int32_t block) -> const std::string& { return nth(run.model.blocks, block).part; };
   const Vec3 direction = found.apart.normalized(), place = found.place + run.model.mesh.origin;
   return fmt::format(
       "{}: invalid tie: at [{:g}, {:g}, {:g}] part '{}', moved by {}, and part '{}', moved by {}, are separated by {} "

@@ -31,9 +31,7 @@ double shortest_edge(const Corners& x, const Corners& reference, const cells::Ce
 
 double volume(const Corners& x, const cells::Cell& cell) {
   const auto of = [&](const cells::Tetrahedron& tet) {
-    const auto from_first = [&](std::size_t i) {
-      return Vec3(x[static_cast<std::size_t>(tet[i])] - x[static_cast<std::size_t>(tet[0])]);
-    };
+    const auto from_first = [&](std::size_t i) { return Vec3(nth(x, tet[i]) - nth(x, tet[0])); };
     return from_first(1).cross(from_first(2)).dot(from_first(3)) / 6;
   };
   double sum = 0;
@@ -61,17 +59,17 @@ std::array<double, 5> figures_of(const Prepared& run, const model::ElementBlock&
 ElementPlace place_of(const Prepared& run, std::int32_t block, LocalIndex element) {
   const comm::Communicator& ranks = run.links.ranks;
   GlobalIndex mine = -1;
-  if (block >= 0) mine = run.model.blocks[static_cast<std::size_t>(block)].input[static_cast<std::size_t>(element)];
+  if (block >= 0) mine = nth(nth(run.model.blocks, block).input, element);
   ElementPlace place;
   place.element = ranks.max(mine);
   if (place.element < 0) return place;
   const bool here = mine == place.element;
   std::array<double, 5> figures;
   figures.fill(-std::numeric_limits<double>::infinity());
-  if (here) figures = figures_of(run, run.model.blocks[static_cast<std::size_t>(block)], element);
+  if (here) figures = figures_of(run, nth(run.model.blocks, block), element);
   ranks.max(figures);
   place.block = static_cast<std::int32_t>(ranks.max(GlobalIndex{here ? block : -1}));
-  place.part = run.model.blocks[static_cast<std::size_t>(place.block)].part;
+  place.part = nth(run.model.blocks, place.block).part;
   place.center = Vec3(figures[0], figures[1], figures[2]) + run.model.mesh.origin;
   place.shortest_edge = figures[3];
   place.volume = figures[4];
@@ -89,10 +87,9 @@ ElementPlace place_of_least(const Prepared& run, const std::string& field) {
     for (LocalIndex e = 0; e < block.count; ++e) {
       if (!model::lives(run.state, b, e)) continue;
       const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * block.history_size + range->first;
-      const double value = run.state.history[b][static_cast<std::size_t>(row * pack_width + e % pack_width)];
-      const bool later = of >= 0 && value == least &&
-                         block.input[static_cast<std::size_t>(e)] >
-                             run.model.blocks[static_cast<std::size_t>(in_block)].input[static_cast<std::size_t>(of)];
+      const double value = nth(run.state.history[b], row * pack_width + e % pack_width);
+      const bool later =
+          of >= 0 && value == least && nth(block.input, e) > nth(nth(run.model.blocks, in_block).input, of);
       if (!(value < least) && !later) continue;
       least = value;
       in_block = static_cast<std::int32_t>(b);
@@ -122,11 +119,11 @@ std::string name_of_node(const Prepared& run, GlobalIndex gid) {
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
     for (const LocalIndex node : model.blocks[b].node)
-      if (model.mesh.node_gid[static_cast<std::size_t>(node)] == gid) part = static_cast<GlobalIndex>(b);
+      if (nth(model.mesh.node_gid, node) == gid) part = static_cast<GlobalIndex>(b);
   id = run.links.ranks.max(id);
   part = run.links.ranks.max(part);
   if (part < 0) return fmt::format("node {}", id);
-  return fmt::format("part {}, node {}", model.blocks[static_cast<std::size_t>(part)].part, id);
+  return fmt::format("part {}, node {}", nth(model.blocks, part).part, id);
 }
 
 }  // namespace brunt::app

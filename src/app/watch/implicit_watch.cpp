@@ -113,8 +113,7 @@ std::string body_that_sinks(const Prepared& run) {
   const auto sinks = std::ranges::find_if(deeper, [&](double share) { return share > run.input.guards.depth_step; });
   if (sinks == deeper.end()) return {};
   return fmt::format("rigid part '{}' comes deeper into a rigid wall by more than {:g} of an element",
-                     run.model.bodies[static_cast<std::size_t>(sinks - deeper.begin())].part,
-                     run.input.guards.depth_step);
+                     nth(run.model.bodies, sinks - deeper.begin()).part, run.input.guards.depth_step);
 }
 
 /// Collective.
@@ -131,12 +130,12 @@ std::vector<double> shares_behind_walls(const Prepared& run, bool since_last) {
   std::vector<double> shares(run.model.bodies.size(), 0.0);
   for (const implicit::WallNode& node : solver.walls.nodes) {
     if (!node.springs || !implicit::yields_to_walls(run.model, solver, node)) continue;
-    double& most = shares[static_cast<std::size_t>(solver.bodies.place[node.own].body)];
+    double& most = nth(shares, solver.bodies.place[node.own].body);
     most = std::max(most, node.behind - (since_last ? node.behind_before : 0));
   }
   run.links.ranks.max(shares);
   for (std::size_t b = 0; b < shares.size(); ++b)
-    shares[b] /= run.watched->thinnest[static_cast<std::size_t>(run.model.bodies[b].blocks.front())];
+    shares[b] /= nth(run.watched->thinnest, run.model.bodies[b].blocks.front());
   return shares;
 }
 
@@ -154,8 +153,7 @@ void watch_implicit(Prepared& run) {
     if (meets(pair)) watched->pairs.set(pair.slave, pair.master, {.rule = contact::PairRule::automatic});
   std::vector<double> thinnest(blocks, -std::numeric_limits<double>::infinity());
   for (const contact::SurfaceFace& face : watched->surface.faces)
-    thinnest[static_cast<std::size_t>(face.block)] =
-        std::max(thinnest[static_cast<std::size_t>(face.block)], -face.element_depth);
+    nth(thinnest, face.block) = std::max(nth(thinnest, face.block), -face.element_depth);
   run.links.ranks.max(thinnest);
   for (const double depth : thinnest) watched->thinnest.push_back(-depth);
   run.watched = std::move(watched);
@@ -172,7 +170,7 @@ std::string objection_to_step(Prepared& run) {
     watched.time = -1;
     return {};
   }
-  const auto part = [&](std::int32_t block) { return run.model.blocks[static_cast<std::size_t>(block)].part; };
+  const auto part = [&](std::int32_t block) { return nth(run.model.blocks, block).part; };
   if (looks.count > most_looks)
     return fmt::format("parts '{}' and '{}' move past each other by more than {:g} of their elements", part(looks.one),
                        part(looks.other), between_looks * most_looks);

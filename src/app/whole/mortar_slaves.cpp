@@ -38,7 +38,7 @@ Surface surface_of(const scene::Input& input, const mesh::Mesh& mesh, const std:
     corners.clear();
     for (const LocalIndex node :
          mesh::face_nodes(mesh.blocks[b].shape, mesh.blocks[b].element(side.element), side.face))
-      if (node != no_index) corners.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
+      if (node != no_index) corners.push_back(nth(mesh.coordinates, node));
     surface.sides.push_back(side);
     surface.boxes.push_back(geometry::bounding_box(corners));
     for (const Vec3& corner : corners) geometry::extend(surface.box, corner);

@@ -11,7 +11,7 @@ std::vector<std::string> report_refused_moves(const scene::Input& input, const m
                                               const std::vector<std::string>& held, const setup::OverlapMoves& moves) {
   std::vector<std::string> faults;
   const std::string where = input.at("contact");
-  const auto number = [&](LocalIndex node) { return mesh.node_id[static_cast<std::size_t>(node)]; };
+  const auto number = [&](LocalIndex node) { return nth(mesh.node_id, node); };
   for (const setup::HeldMove& move : moves.held)
     faults.push_back(
         fmt::format("{}: invalid initial_overlap: move would displace {} node{} constrained by {} (first: node {}, by "
@@ -24,8 +24,7 @@ std::vector<std::string> report_refused_moves(const scene::Input& input, const m
         fmt::format("{}: invalid initial_overlap: move would {} element {} of part '{}' (a corner keeps {:.3g} of its "
                     "volume, at least {:g} is required); expected parts farther apart, or offset to keep the overlap",
                     where, spoiled.kept > 0 ? "flatten" : "invert",
-                    mesh.blocks[spoiled.block].element_id[static_cast<std::size_t>(spoiled.element)], part,
-                    spoiled.kept, spoiled.wanted));
+                    nth(mesh.blocks[spoiled.block].element_id, spoiled.element), part, spoiled.kept, spoiled.wanted));
   }
   if (!moves.left.empty() && faults.empty())
     faults.push_back(fmt::format(

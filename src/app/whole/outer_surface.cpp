@@ -25,10 +25,10 @@ TriangleSurface outer_surface(const mesh::Mesh& mesh, std::size_t block) {
   TriangleSurface surface;
   std::vector<LocalIndex> number(mesh.coordinates.size(), no_index);
   const auto point = [&](LocalIndex node) {
-    LocalIndex& at = number[static_cast<std::size_t>(node)];
+    LocalIndex& at = nth(number, node);
     if (at == no_index) {
       at = static_cast<LocalIndex>(surface.points.size());
-      surface.points.push_back(mesh.coordinates[static_cast<std::size_t>(node)]);
+      surface.points.push_back(nth(mesh.coordinates, node));
     }
     return at;
   };
@@ -43,7 +43,7 @@ TriangleSurface outer_surface(const mesh::Mesh& mesh, std::size_t block) {
       surface.triangles.push_back({p[0], p[1], p[2]});
       continue;
     }
-    const auto x = [&](std::size_t i) -> const Vec3& { return surface.points[static_cast<std::size_t>(p[i])]; };
+    const auto x = [&](std::size_t i) -> const Vec3& { return nth(surface.points, p[i]); };
     const Vec3 b = x(1) - x(0), c = x(2) - x(0), d = x(3) - x(0);
     if (six_volumes(b, c, d) <= 0) {  // the diagonal 0-2 lies farther out
       surface.triangles.push_back({p[0], p[1], p[2]});

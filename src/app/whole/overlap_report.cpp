@@ -27,11 +27,11 @@ struct Reporter {
   std::vector<std::size_t> part_of = scene::parts_of_blocks(input, mesh);
 
   [[nodiscard]] const std::string& part(std::size_t block) const { return input.parts[part_of[block]].name; }
-  [[nodiscard]] GlobalIndex node(LocalIndex index) const { return mesh.node_id[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] GlobalIndex node(LocalIndex index) const { return nth(mesh.node_id, index); }
 
   [[nodiscard]] std::string length(double value) const { return scene::with_length(value, input.units); }
   [[nodiscard]] std::string place(LocalIndex index) const {
-    const Vec3& x = mesh.coordinates[static_cast<std::size_t>(index)];
+    const Vec3& x = nth(mesh.coordinates, index);
     return fmt::format("at [{:.6g}, {:.6g}, {:.6g}]", x.x(), x.y(), x.z());
   }
 
@@ -169,8 +169,7 @@ void list_overlaps(const Reporter& reporter, const InitialGaps& gaps, OverlapRep
 std::string name_of_face(const mesh::Mesh& mesh, const setup::FaceNodes& face) {
   std::string name;
   for (const LocalIndex node : face)
-    if (node != no_index)
-      name += fmt::format("{}{}", name.empty() ? "" : "-", mesh.node_id[static_cast<std::size_t>(node)]);
+    if (node != no_index) name += fmt::format("{}{}", name.empty() ? "" : "-", nth(mesh.node_id, node));
   return name;
 }
 

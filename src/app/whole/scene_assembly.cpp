@@ -29,7 +29,7 @@ void join_by_nodes(const mesh::Mesh& mesh, UnionFind& groups) {
     const mesh::Block& block = mesh.blocks[b];
     for (LocalIndex e = 0; e < block.count(); ++e)
       for (int k = 0; k < mesh::nodes_per_element(block.shape); ++k) {
-        std::size_t& first = holder[static_cast<std::size_t>(block.element(e)[k])];
+        std::size_t& first = nth(holder, block.element(e)[k]);
         if (first == none) first = b;
         if (first != b) groups.join(first, b);
       }
@@ -62,14 +62,14 @@ void hold_members(const scene::Input& input, const mesh::Mesh& mesh, const std::
     const mesh::Block& block = mesh.blocks[b];
     for (LocalIndex e = 0; e < block.count(); ++e)
       for (int k = 0; k < mesh::nodes_per_element(block.shape); ++k) {
-        auto& of_node = members[static_cast<std::size_t>(block.element(e)[k])];
+        auto& of_node = nth(members, block.element(e)[k]);
         if (of_node.empty() || of_node.back() != member_of[b]) of_node.push_back(member_of[b]);
       }
   }
   const auto hold_all = [&](const std::vector<LocalIndex>& nodes, const std::optional<Vec3>& direction) {
     std::size_t last = none;
     for (const LocalIndex node : nodes)
-      for (const std::size_t k : members[static_cast<std::size_t>(node)]) {
+      for (const std::size_t k : nth(members, node)) {
         if (k == last) continue;
         last = k;
         all[k].turns = false;
@@ -83,7 +83,7 @@ void hold_members(const scene::Input& input, const mesh::Mesh& mesh, const std::
     const scene::Fixed& fixed = input.fixed[k];
     if (std::ranges::find(fixed.turns, true) != fixed.turns.end()) hold_all(nodes_of("fixed", k), std::nullopt);
     for (int c = 0; c < 3; ++c)
-      if (fixed.dofs[static_cast<std::size_t>(c)]) hold_all(nodes_of("fixed", k), Vec3(Vec3::Unit(c)));
+      if (nth(fixed.dofs, c)) hold_all(nodes_of("fixed", k), Vec3(Vec3::Unit(c)));
   }
   for (std::size_t k = 0; k < input.symmetry.size(); ++k)
     hold_all(nodes_of("symmetry", k), Vec3(input.symmetry[k].normal.normalized()));

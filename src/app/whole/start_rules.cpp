@@ -45,7 +45,7 @@ HeldByScene held_nodes(const scene::Input& input, const mesh::Mesh& mesh) {
   };
   for (std::size_t k = 0; k < input.fixed.size(); ++k)
     for (int c = 0; c < 3; ++c)
-      if (input.fixed[k].dofs[static_cast<std::size_t>(c)]) add("fixed", k, Vec3::Unit(c));
+      if (nth(input.fixed[k].dofs, c)) add("fixed", k, Vec3::Unit(c));
   for (std::size_t k = 0; k < input.symmetry.size(); ++k) add("symmetry", k, input.symmetry[k].normal.normalized());
   for (std::size_t k = 0; k < input.prescribed.size(); ++k)
     if (const int dof = input.prescribed[k].dof; dof < 3) add("prescribed", k, Vec3::Unit(dof));

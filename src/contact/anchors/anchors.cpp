@@ -13,13 +13,12 @@ namespace brunt::contact {
 namespace {
 
 const Wall& wall_of(const AnchorScene& scene, GlobalIndex wall) {
-  return scene.walls[static_cast<std::size_t>(wall)];
+  return nth(scene.walls, wall);
 }
 
 Vec3 slip_of_edges(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
   Vec3 apart = Vec3::Zero();
-  for (std::size_t i = 0; i < 4; ++i)
-    apart += anchor.weights[i] * scene.motion[static_cast<std::size_t>(row.nodes[i])].position;
+  for (std::size_t i = 0; i < 4; ++i) apart += anchor.weights[i] * nth(scene.motion, row.nodes[i]).position;
   return apart;
 }
 
@@ -28,19 +27,19 @@ Vec3 slip_of_edges(const AnchorScene& scene, const AnchorRecord& anchor, const R
 std::vector<LocalIndex> order_by_key(std::span<const MasterFace> faces) {
   std::vector<LocalIndex> order(faces.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](LocalIndex face) { return faces[static_cast<std::size_t>(face)].key; });
+  std::ranges::sort(order, {}, [&](LocalIndex face) { return nth(faces, face).key; });
   return order;
 }
 
 const MasterFace* find_face(std::span<const MasterFace> faces, std::span<const LocalIndex> by_key, GlobalIndex key) {
-  const auto key_of = [&](LocalIndex face) { return faces[static_cast<std::size_t>(face)].key; };
+  const auto key_of = [&](LocalIndex face) { return nth(faces, face).key; };
   const auto found = std::ranges::lower_bound(by_key, key, {}, key_of);
-  return found != by_key.end() && key_of(*found) == key ? &faces[static_cast<std::size_t>(*found)] : nullptr;
+  return found != by_key.end() && key_of(*found) == key ? &nth(faces, *found) : nullptr;
 }
 
 std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
   if (row.is_edge()) return slip_of_edges(scene, anchor, row);
-  const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
+  const Vec3& slave = nth(scene.motion, row.nodes[0]).position;
   if (anchor.key.kind == RowKind::wall)
     return slave - (wall_of(scene, anchor.key.master).point + Vec3(anchor.on_wall.data()));
   const MasterFace* face = find_face(scene.faces, scene.by_key, anchor.face);
@@ -49,7 +48,7 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
   const auto count = static_cast<std::size_t>(face->corner_count);
   Vec3 point = Vec3::Zero();
   for (std::size_t i = 0; i < count; ++i) {
-    corners[i] = scene.motion[static_cast<std::size_t>(face->nodes[i])].position;
+    corners[i] = nth(scene.motion, face->nodes[i]).position;
     point += anchor.weights[i] * corners[i];
   }
   const Vec3 moved = slave - point;
@@ -73,7 +72,7 @@ std::optional<AnchorRecord> dragged(const AnchorScene& scene, const AnchorRecord
   const auto count = static_cast<std::size_t>(face->corner_count);
   Vec3 point = slid;
   for (std::size_t i = 0; i < count; ++i) {
-    corners[i] = scene.motion[static_cast<std::size_t>(face->nodes[i])].position;
+    corners[i] = nth(scene.motion, face->nodes[i]).position;
     point += anchor.weights[i] * corners[i];
   }
   const auto closest = geometry::closest_point(point, {corners.data(), count});
@@ -89,7 +88,7 @@ AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
     return anchor;
   }
   if (row.is_wall()) {
-    const Vec3& slave = scene.motion[static_cast<std::size_t>(row.nodes[0])].position;
+    const Vec3& slave = nth(scene.motion, row.nodes[0]).position;
     const Vec3 place = slave - row.gap * row.normal - wall_of(scene, row.key.master).point;
     anchor.on_wall = {place[0], place[1], place[2]};
     return anchor;
@@ -99,7 +98,7 @@ AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
   anchor.face = row.key.master;
   for (std::size_t k = 1; k < static_cast<std::size_t>(row.node_count); ++k) {
     const auto corner = std::ranges::find(face->nodes, row.nodes[k]) - face->nodes.begin();
-    anchor.weights[static_cast<std::size_t>(corner)] = -row.weights[k];
+    nth(anchor.weights, corner) = -row.weights[k];
   }
   return anchor;
 }

@@ -34,7 +34,7 @@ double friction_coefficient(const FrictionLaw& law, const Row& row, std::span<co
   if (law.decay == 0 || law.fixed == law.kinetic) return law.fixed;
   Vec3 slip = Vec3::Zero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-    slip += row.weights[i] * motion[static_cast<std::size_t>(row.nodes[i])].old_velocity;
+    slip += row.weights[i] * nth(motion, row.nodes[i]).old_velocity;
   slip -= row.normal.dot(slip) * row.normal;
   return law.coefficient(slip.norm());
 }

@@ -21,7 +21,7 @@ using FaceCorners = std::array<Vec3, 4>;
 
 std::span<const Vec3> corners_of(const MasterFace& face, std::span<const NodeMotion> motion, FaceCorners& storage) {
   const auto count = static_cast<std::size_t>(face.corner_count);
-  for (std::size_t i = 0; i < count; ++i) storage[i] = motion[static_cast<std::size_t>(face.nodes[i])].position;
+  for (std::size_t i = 0; i < count; ++i) storage[i] = nth(motion, face.nodes[i]).position;
   return {storage.data(), count};
 }
 
@@ -45,7 +45,7 @@ bool looks_at(std::span<const LocalIndex> facets, std::span<const Vec3> facet_ar
   Vec3 sum = Vec3::Zero();
   double total = 0;
   for (const LocalIndex facet : facets) {
-    const Vec3& area = facet_area[static_cast<std::size_t>(facet)];
+    const Vec3& area = nth(facet_area, facet);
     if (is_opposed(area)) return true;
     sum += area;
     total += area.norm();
@@ -89,7 +89,7 @@ Seen look_at(const MasterFace& face, std::span<const NodeMotion> motion, const V
 /// Place of the slave among the candidates; no_index where it is none.
 LocalIndex slave_of(const Tie& tie, const TieScene& scene) {
   const std::vector<LocalIndex>& slaves = scene.candidates.slave;
-  const auto gid_of = [&](LocalIndex node) { return scene.gid[static_cast<std::size_t>(node)]; };
+  const auto gid_of = [&](LocalIndex node) { return nth(scene.gid, node); };
   const auto found = std::ranges::lower_bound(slaves, tie.slave, {}, gid_of);
   if (found == slaves.end() || gid_of(*found) != tie.slave) return no_index;
   return static_cast<LocalIndex>(found - slaves.begin());
@@ -125,11 +125,9 @@ void compute_lever(const Vec3& offset, std::span<const Vec3> corners, const Row&
 /// What of the place that a tie keeps would be lost within a step at the velocities before it, though its rates are
 /// kept: the pin turns [length]. Asked back beforehand, since a pin that is longer whenever it pulls does work.
 Vec3 lost_in_turning(const Tie& tie, const Vec3& crept, const Row& row, const MasterFace& face, const TieScene& scene) {
-  const auto old_velocity = [&](LocalIndex node) -> const Vec3& {
-    return scene.motion[static_cast<std::size_t>(node)].old_velocity;
-  };
+  const auto old_velocity = [&](LocalIndex node) -> const Vec3& { return nth(scene.motion, node).old_velocity; };
   const auto place_after = [&](LocalIndex node) -> Vec3 {
-    return scene.motion[static_cast<std::size_t>(node)].position + scene.dt * old_velocity(node);
+    return nth(scene.motion, node).position + scene.dt * old_velocity(node);
   };
   FaceCorners storage;
   const auto count = static_cast<std::size_t>(face.corner_count);
@@ -146,16 +144,16 @@ double rounding_of_positions(const Row& row, std::span<const NodeMotion> motion)
   constexpr double roundings = 2 * (2 + 6) * 0.5;
   double largest = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-    largest = std::max(largest, motion[static_cast<std::size_t>(row.nodes[i])].position.cwiseAbs().maxCoeff());
+    largest = std::max(largest, nth(motion, row.nodes[i]).position.cwiseAbs().maxCoeff());
   return roundings * std::numeric_limits<double>::epsilon() * largest;
 }
 
 Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const TieScene& scene, Lever& lever) {
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, scene.motion, storage);
-  const LocalIndex slave = scene.candidates.slave[static_cast<std::size_t>(candidate)];
+  const LocalIndex slave = nth(scene.candidates.slave, candidate);
   Row row{.key = {.kind = RowKind::tie, .slave = tie.slave, .master = face.key},
-          .slave_body = scene.candidates.body[static_cast<std::size_t>(candidate)],
+          .slave_body = nth(scene.candidates.body, candidate),
           .master_body = face.body,
           .master_block = face.block};
   row.nodes[0] = slave;
@@ -170,7 +168,7 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   row.normal = normal_of(corners);
   row.cone = Cone::free;
   row.holds = true;
-  const Vec3 offset = offset_of(scene.motion[static_cast<std::size_t>(slave)].position, corners, tie.weights);
+  const Vec3 offset = offset_of(nth(scene.motion, slave).position, corners, tie.weights);
   if (tie.height != 0) {
     compute_lever(offset, corners, row, lever);
     row.lever = &lever;
@@ -210,10 +208,10 @@ Mat3 held_directions(const Row& row, std::span<const Mobility> mobility, std::sp
                      const Carriers& carriers) {
   Mat3 sum = Mat3::Zero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const Mobility& node = mobility[static_cast<std::size_t>(row.nodes[i])];
+    const Mobility& node = nth(mobility, row.nodes[i]);
     const Carrier* body = carriers.of(row.nodes[i]);
     if (node.inverse_mass == 0 && body == nullptr) continue;
-    const Vec3& place = motion[static_cast<std::size_t>(row.nodes[i])].position;
+    const Vec3& place = nth(motion, row.nodes[i]).position;
     const Mat3 part = free_part(row, i, body != nullptr ? free_directions(*body, place) : node.projector);
     sum += part * part.transpose();
   }
@@ -232,13 +230,13 @@ Mat3 held_directions(const Row& row, std::span<const Mobility> mobility, std::sp
 
 void keep_feasible_rate(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
                         const Carriers& carriers) {
-  const Mobility& slave = mobility[static_cast<std::size_t>(row.nodes[0])];
+  const Mobility& slave = nth(mobility, row.nodes[0]);
   if (slave.is_free() && slave.inverse_mass > 0) return;  // it can follow any rate
   const Mat3 held = held_directions(row, mobility, motion, carriers);
   if (held.isZero(0)) return;
   const Vec3 asked = row.required * row.normal + row.drift;
-  const Vec3 predicted = relative_velocity(
-      row, [&](LocalIndex node) -> const Vec3& { return motion[static_cast<std::size_t>(node)].predicted; });
+  const Vec3 predicted =
+      relative_velocity(row, [&](LocalIndex node) -> const Vec3& { return nth(motion, node).predicted; });
   const Vec3 left = asked + held * (predicted - asked);
   row.required = row.normal.dot(left);
   row.drift = left - row.required * row.normal;
@@ -251,23 +249,21 @@ std::vector<Tie> find_ties(const Candidates& candidates, std::span<const MasterF
                            const std::function<void(LocalIndex, LocalIndex)>& beside) {
   std::vector<Tie> ties;
   for (LocalIndex s = 0; s < static_cast<LocalIndex>(candidates.slave.size()); ++s) {
-    const LocalIndex slave = candidates.slave[static_cast<std::size_t>(s)];
+    const LocalIndex slave = nth(candidates.slave, s);
     const std::span<const LocalIndex> facets =
         s < candidates.slave_facets.rows() ? candidates.slave_facets.row(s) : std::span<const LocalIndex>{};
     Place best;
     LocalIndex passed = no_index;
     for (const LocalIndex f : candidates.faces.row(s)) {
       if (!may_tie(slave, f)) continue;
-      const Vec3& place = motion[static_cast<std::size_t>(slave)].position;
-      if (look_at(faces[static_cast<std::size_t>(f)], motion, place, facets, facet_area, tolerances, best) ==
-          Seen::beside)
-        passed = f;
+      const Vec3& place = nth(motion, slave).position;
+      if (look_at(nth(faces, f), motion, place, facets, facet_area, tolerances, best) == Seen::beside) passed = f;
     }
     if (best.face == no_index) {
       if (passed != no_index) beside(slave, passed);
       continue;
     }
-    best.tie.slave = gid[static_cast<std::size_t>(slave)];
+    best.tie.slave = nth(gid, slave);
     ties.push_back(best.tie);
   }
   return ties;

@@ -47,7 +47,7 @@ struct Carriers {
     if (bodies.empty()) return nullptr;
     const auto found = std::ranges::lower_bound(points, point, {}, &CarriedPoint::point);
     if (found == points.end() || found->point != point) return nullptr;
-    return &bodies[static_cast<std::size_t>(found->body)];
+    return &nth(bodies, found->body);
   }
 
   /// The mobility of a body without its joints.
@@ -55,8 +55,8 @@ struct Carriers {
     for (const CoupledBodies& group : coupled)
       if (const auto found = std::ranges::lower_bound(group.bodies, body);
           found != group.bodies.end() && *found == body)
-        return group.alone[static_cast<std::size_t>(found - group.bodies.begin())];
-    return bodies[static_cast<std::size_t>(body)].mobility;
+        return nth(group.alone, found - group.bodies.begin());
+    return nth(bodies, body).mobility;
   }
 };
 

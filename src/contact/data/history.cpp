@@ -31,7 +31,7 @@ void start_slave(std::span<const Row> rows, std::span<const HistoryRecord> recor
     const Vec3 force(record.force.data());
     const auto own = std::ranges::find(rows, record.key, &Row::key);
     if (own != rows.end()) {
-      impulses[static_cast<std::size_t>(own - rows.begin())] = admitted(law_of(*own), dt * force);
+      nth(impulses, own - rows.begin()) = admitted(law_of(*own), dt * force);
       continue;
     }
     if (record.key.kind == RowKind::wall || !acted(record)) continue;  // walls have no next face

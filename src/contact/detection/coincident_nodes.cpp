@@ -24,7 +24,7 @@ Vec3 area_of(const FacesInMotion& scene, const MasterFace& face) {
 
 /// Cosine between the normal and the reversed normal of a facet [-1, 1].
 double facing(const NodeOnSurface& node, LocalIndex facet, const Vec3& normal) {
-  const double cosine = -node.facet_normal[static_cast<std::size_t>(facet)].dot(normal);
+  const double cosine = -nth(node.facet_normal, facet).dot(normal);
   return node.two_sided ? std::abs(cosine) : cosine;
 }
 
@@ -65,7 +65,7 @@ struct Around {
 
 Shape shape_of(const NodeOnSurface& node, const Tolerances& tolerances) {
   Around around;
-  for (const LocalIndex facet : node.facets) around.add(node.facet_normal[static_cast<std::size_t>(facet)]);
+  for (const LocalIndex facet : node.facets) around.add(nth(node.facet_normal, facet));
   return around.shape(tolerances);
 }
 
@@ -77,7 +77,7 @@ bool surfaces_coincide(const FacesInMotion& scene, const NodeOnSurface& node, st
   const Tolerances& tolerances = scene.tolerances;
   const double clearly = tolerances.aligned * tolerances.aligned;
   const auto faces_each_other = [&](LocalIndex facet, const Vec3& area) {
-    const double along = -node.facet_normal[static_cast<std::size_t>(facet)].dot(area);
+    const double along = -nth(node.facet_normal, facet).dot(area);
     return (along > 0 || node.two_sided) && along * along > clearly * area.squaredNorm();
   };
   auto facets = node.facets;  // all for the first face, then the first facet only
@@ -147,7 +147,7 @@ void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Ve
   if (candidates.pass.empty()) return;
   const double within = (settings.coincidence_distance + 2 * motion) *
                         (1 + settings.tolerances->rounding);  // distances of later steps have other rounding errors
-  const auto place = [&](LocalIndex node) -> const Vec3& { return positions[static_cast<std::size_t>(node)]; };
+  const auto place = [&](LocalIndex node) -> const Vec3& { return nth(positions, node); };
   for (LocalIndex s = 0; s < candidates.faces.rows(); ++s) {
     const std::span<const LocalIndex> near = std::as_const(candidates.faces).row(s);
     const PairPass* pass = candidates.pass.data() + (near.data() - candidates.faces.values.data());
@@ -157,10 +157,10 @@ void list_coincident_nodes(std::span<const MasterFace> faces, std::span<const Ve
     };
     for (std::size_t i = 0; i < near.size(); ++i) {
       if (pass[i] == PairPass::only) continue;
-      const MasterFace& face = faces[static_cast<std::size_t>(near[i])];
+      const MasterFace& face = nth(faces, near[i]);
       for (std::size_t c = 0; c < static_cast<std::size_t>(face.corner_count); ++c) {
         const LocalIndex node = face.nodes[c];
-        if ((place(node) - place(candidates.slave[static_cast<std::size_t>(s)])).norm() < within && !known(node))
+        if ((place(node) - place(nth(candidates.slave, s))).norm() < within && !known(node))
           candidates.coincident.values.push_back({node, face.body});
       }
     }

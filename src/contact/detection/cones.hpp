@@ -14,7 +14,7 @@ struct NormalCone {
   std::span<const Vec3> normals;
   bool two_sided = false;  ///< the node lies on a sheet: every facet has two sides
 
-  [[nodiscard]] const Vec3& operator[](std::size_t i) const { return normals[static_cast<std::size_t>(facets[i])]; }
+  [[nodiscard]] const Vec3& operator[](std::size_t i) const { return nth(normals, facets[i]); }
 };
 
 /// Whether the normals of all facets agree with the first one by at least this cosine. The cone is then represented by

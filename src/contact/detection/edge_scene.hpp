@@ -35,11 +35,9 @@ struct EdgeScene {
   EdgeScene(const StepView& of_step, const EdgeInput& of_input);
 
   [[nodiscard]] const Tolerances& tolerances() const { return *settings.tolerances; }
-  [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return step.motion[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] const NodeHold& hold(LocalIndex node) const { return input.holds[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] const ContactEdge& master(LocalIndex index) const {
-    return input.candidates.masters[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] const NodeMotion& at(LocalIndex node) const { return nth(step.motion, node); }
+  [[nodiscard]] const NodeHold& hold(LocalIndex node) const { return nth(input.holds, node); }
+  [[nodiscard]] const ContactEdge& master(LocalIndex index) const { return nth(input.candidates.masters, index); }
   [[nodiscard]] geometry::Segment start(const ContactEdge& edge) const {
     return {at(edge.nodes[0]).position, at(edge.nodes[1]).position};
   }
@@ -49,7 +47,7 @@ struct EdgeScene {
   }
   /// Unit normal of one of the two faces that share the edge.
   [[nodiscard]] Vec3 normal(const ContactEdge& edge, std::size_t facet) const {
-    return input.facet_normal[static_cast<std::size_t>(edge.facets[facet])];
+    return nth(input.facet_normal, edge.facets[facet]);
   }
   /// Sum of the normals of both faces.
   [[nodiscard]] Vec3 outward(const ContactEdge& edge) const { return normal(edge, 0) + normal(edge, 1); }

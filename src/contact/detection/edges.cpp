@@ -114,7 +114,7 @@ bool is_held_at_ends(const EdgeScene& scene, const EdgePair& pair, const EdgeMee
 /// Whether an end of the edge has an accepted overlap with the body.
 bool has_accepted_end(const EdgeScene& scene, const ContactEdge& edge, std::int32_t body) {
   return std::ranges::any_of(edge.nodes, [&](LocalIndex node) {
-    const GlobalIndex gid = scene.step.gid[static_cast<std::size_t>(node)];
+    const GlobalIndex gid = nth(scene.step.gid, node);
     return accepted_penetration(scene.settings.accepted, gid, body) > 0;
   });
 }
@@ -127,8 +127,7 @@ double accepted_overlap(const EdgeScene& scene, const EdgePair& pair, const Edge
   const auto& [slave, master, size] = pair;
   if (!has_accepted_end(scene, slave, master.body) && !has_accepted_end(scene, master, slave.body)) return 0;
   const auto at_start = [&](const ContactEdge& edge) {
-    return geometry::Segment{reference[static_cast<std::size_t>(edge.nodes[0])],
-                             reference[static_cast<std::size_t>(edge.nodes[1])]};
+    return geometry::Segment{nth(reference, edge.nodes[0]), nth(reference, edge.nodes[1])};
   };
   const geometry::Segment own = at_start(slave), other = at_start(master);
   const Mat3 turned = axes_of(own, other) * axes_of(scene.start(slave), scene.start(master)).transpose();
@@ -138,7 +137,7 @@ double accepted_overlap(const EdgeScene& scene, const EdgePair& pair, const Edge
 
 Row row_of(const EdgeScene& scene, const EdgePair& pair, const EdgeMeeting& met) {
   const auto& [slave, master, size] = pair;
-  const auto id = [&](LocalIndex node) { return scene.step.gid[static_cast<std::size_t>(node)]; };
+  const auto id = [&](LocalIndex node) { return nth(scene.step.gid, node); };
   Row row{.key = {RowKind::edge, id(slave.nodes[0]), id(slave.nodes[1]), id(master.nodes[0]), id(master.nodes[1])}};
   row.nodes = {slave.nodes[0], slave.nodes[1], master.nodes[0], master.nodes[1], 0};
   row.weights = {1 - met.s, met.s, -(1 - met.t), -met.t, 0};

@@ -44,7 +44,7 @@ std::array<LocalIndex, 2> nodes_of_feature(const MasterFace& face, Region region
   const auto number = static_cast<int>(region);
   const auto count = static_cast<std::size_t>(face.corner_count);
   if (region >= Region::vertex0) {
-    const LocalIndex node = face.nodes[static_cast<std::size_t>(number - static_cast<int>(Region::vertex0))];
+    const LocalIndex node = nth(face.nodes, number - static_cast<int>(Region::vertex0));
     return {node, node};
   }
   const auto edge = static_cast<std::size_t>(number - static_cast<int>(Region::edge0));
@@ -98,8 +98,7 @@ void find_hit(const FacesInMotion& scene, const NodeMotion& slave, Encounter& me
 
 Encounter encounter(const FacesInMotion& scene, const NodeMotion& slave, LocalIndex face_index,
                     const Approach& approach) {
-  Encounter met{
-      .face = face_index, .approach = approach, .size = scene.reach[static_cast<std::size_t>(face_index)].size};
+  Encounter met{.face = face_index, .approach = approach, .size = nth(scene.reach, face_index).size};
   const MasterFace& face = scene.face(face_index);
   std::array<Vec3, 4> storage;
   const auto count = static_cast<std::size_t>(face.corner_count);

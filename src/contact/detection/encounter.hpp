@@ -86,9 +86,9 @@ struct FacesInMotion {
   double dt = 0;                       ///< [time]
   const Tolerances& tolerances;
 
-  [[nodiscard]] const MasterFace& face(LocalIndex index) const { return faces[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const MasterFace& face(LocalIndex index) const { return nth(faces, index); }
   [[nodiscard]] const MasterFace& face(const Encounter& e) const { return face(e.face); }
-  [[nodiscard]] const NodeMotion& node(LocalIndex index) const { return motion[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const NodeMotion& node(LocalIndex index) const { return nth(motion, index); }
   [[nodiscard]] const NodeMotion& corner(const MasterFace& face, std::size_t i) const { return node(face.nodes[i]); }
 };
 

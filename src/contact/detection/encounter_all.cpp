@@ -133,7 +133,7 @@ void encounter_all(const FacesInMotion& scene, std::span<const NodeMotion* const
         e = encounter(scene, *slave[first + lane], e.face, e.approach);
         continue;
       }
-      e.size = scene.reach[static_cast<std::size_t>(e.face)].size;
+      e.size = nth(scene.reach, e.face).size;
       take(result, lane, face, scene.tolerances, e);
     }
   }

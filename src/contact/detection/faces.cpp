@@ -80,9 +80,9 @@ class FaceDetection {
     const auto facets = candidates_.slave_facets.row(row);
     const LocalIndex node = candidates_.slave[s];
     Slave slave{.node = node,
-                .gid = step_.gid[static_cast<std::size_t>(node)],
+                .gid = nth(step_.gid, node),
                 .body = candidates_.body[s],
-                .motion = step_.motion[static_cast<std::size_t>(node)],
+                .motion = nth(step_.motion, node),
                 .half_thickness = any_sheets() ? candidates_.half_thickness[s] : 0.0,
                 .near = near,
                 .pass = {},
@@ -95,8 +95,7 @@ class FaceDetection {
       slave.coincident = candidates_.coincident.row(row);
     }
     if (!candidates_.seam_sag.empty())
-      slave.seam_sag = {&candidates_.seam_sag[static_cast<std::size_t>(candidates_.slave_facets.offsets[s])],
-                        facets.size()};
+      slave.seam_sag = {&nth(candidates_.seam_sag, candidates_.slave_facets.offsets[s]), facets.size()};
     return slave;
   }
 
@@ -126,7 +125,7 @@ class FaceDetection {
     for (std::size_t i = first; i < end; ++i) {
       if (spare.first && slave.pass[i] == PairPass::first) continue;
       if (spare.second && slave.pass[i] == PairPass::second) continue;
-      if (!overlaps(scene_.reach[static_cast<std::size_t>(slave.near[i])].box, sweep)) continue;
+      if (!overlaps(nth(scene_.reach, slave.near[i]).box, sweep)) continue;
       const MasterFace& face = scene_.face(slave.near[i]);
       Encounter& e = scratch_.encounters.emplace_back();
       e.face = slave.near[i];

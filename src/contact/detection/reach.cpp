@@ -26,7 +26,7 @@ FaceReach reach_of(const MasterFace& face, std::span<const NodeMotion> motion, d
   std::array<Quad, 4> corners{};
   Quad low{}, high{};
   for (std::size_t i = 0; i < count; ++i) {
-    const NodeMotion& corner = motion[static_cast<std::size_t>(face.nodes[i])];
+    const NodeMotion& corner = nth(motion, face.nodes[i]);
     corners[i] = position_quad(corner);
     const Quad end = corners[i] + dt * predicted_quad(corner);
     if (i == 0) low = high = end;

@@ -27,8 +27,8 @@ double accepted_penetration(std::span<const AcceptedOverlap> accepted, GlobalInd
 double recovery_time(const Row& row, double size, double dt, const DetectionSettings& settings) {
   const std::vector<double>& sound = settings.sound;
   if (sound.empty()) return dt;
-  double slower = sound[static_cast<std::size_t>(row.slave_body)];
-  if (!row.is_wall()) slower = std::min(slower, sound[static_cast<std::size_t>(row.master_body)]);
+  double slower = nth(sound, row.slave_body);
+  if (!row.is_wall()) slower = std::min(slower, nth(sound, row.master_body));
   return std::max(dt, settings.tolerances->recovery_time * size / slower);
 }
 
@@ -41,8 +41,8 @@ double required_rate(const Row& row, double gap, double size, const StepView& st
   const bool fitted = are_fitted(settings.fitted, row);
   if (!fitted && (settings.recovery_gives || !row.is_edge())) return recovery;
   if (-gap <= (fitted ? tolerances.touching : tolerances.drift) * size) return recovery;
-  const Vec3 relative = relative_velocity(
-      row, [&](LocalIndex node) -> const Vec3& { return step.motion[static_cast<std::size_t>(node)].old_velocity; });
+  const Vec3 relative =
+      relative_velocity(row, [&](LocalIndex node) -> const Vec3& { return nth(step.motion, node).old_velocity; });
   return std::clamp(-row.normal.dot(relative), 0.0, recovery);
 }
 

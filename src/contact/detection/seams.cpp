@@ -29,8 +29,7 @@ bool continues_beyond(const FacesInMotion& scene, const Encounter& top, const En
 double own_sag(const OwnFacets& own, const Vec3& normal, const Tolerances& tolerances) {
   double sag = 0;
   for (std::size_t i = 0; i < own.seam_sag.size(); ++i)
-    if (own.facet_normal[static_cast<std::size_t>(own.facets[i])].dot(normal) < -tolerances.facing)
-      sag = std::max(sag, own.seam_sag[i]);
+    if (nth(own.facet_normal, own.facets[i]).dot(normal) < -tolerances.facing) sag = std::max(sag, own.seam_sag[i]);
   return sag;
 }
 

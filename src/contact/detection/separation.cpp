@@ -26,11 +26,11 @@ double apart(const Box& one, const Box& other) {
 double separation_of_faces(const StepView& step, const Candidates& candidates, std::span<const FaceReach> reach) {
   double least = nowhere;
   for (std::size_t s = 0; s < candidates.slave.size(); ++s) {
-    const NodeMotion& node = step.motion[static_cast<std::size_t>(candidates.slave[s])];
+    const NodeMotion& node = nth(step.motion, candidates.slave[s]);
     const Box sweep = geometry::bounding_box(std::array{node.position, Vec3(node.position + step.dt * node.predicted)});
     const double clearance = candidates.half_thickness.empty() ? 0.0 : candidates.half_thickness[s];
     for (const LocalIndex face : candidates.faces.row(static_cast<LocalIndex>(s)))
-      least = std::min(least, apart(reach[static_cast<std::size_t>(face)].box, sweep) - clearance);
+      least = std::min(least, apart(nth(reach, face).box, sweep) - clearance);
   }
   return least;
 }
@@ -41,7 +41,7 @@ double separation_of_edges(const StepView& step, const EdgeCandidates& candidate
   for (std::size_t e = 0; e < candidates.slaves.size(); ++e) {
     const Box sweep = scene.sweep(candidates.slaves[e]);
     for (const LocalIndex master : candidates.near.row(static_cast<LocalIndex>(e)))
-      least = std::min(least, apart(scene.reach(candidates.masters[static_cast<std::size_t>(master)]), sweep));
+      least = std::min(least, apart(scene.reach(nth(candidates.masters, master)), sweep));
   }
   return least;
 }
@@ -50,9 +50,9 @@ double separation_of_walls(const StepView& step, std::span<const WallCandidate> 
                            std::span<const Wall> walls) {
   double least = nowhere;
   for (const WallCandidate& candidate : candidates) {
-    const Wall& wall = walls[static_cast<std::size_t>(candidate.wall)];
+    const Wall& wall = nth(walls, candidate.wall);
     if (wall.bilateral && candidate.held) return 0;
-    const NodeMotion& node = step.motion[static_cast<std::size_t>(candidate.node)];
+    const NodeMotion& node = nth(step.motion, candidate.node);
     const double gap = (node.position - wall.point).dot(wall.normal);
     const double next = gap + step.dt * (node.predicted - wall.velocity).dot(wall.normal);
     least = std::min(least, std::min(gap, next) - step.settings.tolerances->capture * step.settings.wall_size);

@@ -17,9 +17,7 @@ double remembered_side(std::span<const HistoryRecord> remembered, GlobalIndex fa
 /// +1 if the faces share an edge and their normals have the same orientation, -1 if the opposite one, 0 if they share
 /// none.
 double relative_orientation(const MasterFace& one, const MasterFace& other) {
-  const auto corner = [](const MasterFace& face, std::int32_t i) {
-    return face.nodes[static_cast<std::size_t>(i % face.corner_count)];
-  };
+  const auto corner = [](const MasterFace& face, std::int32_t i) { return nth(face.nodes, i % face.corner_count); };
   for (std::int32_t i = 0; i < one.corner_count; ++i)
     for (std::int32_t k = 0; k < other.corner_count; ++k) {
       if (corner(one, i) == corner(other, k + 1) && corner(one, i + 1) == corner(other, k)) return 1;

@@ -11,8 +11,8 @@ void detect_walls(const StepView& step, std::span<const WallCandidate> candidate
                   std::vector<Row>& rows) {
   const DetectionSettings& settings = step.settings;
   for (const WallCandidate& candidate : candidates) {
-    const Wall& wall = walls[static_cast<std::size_t>(candidate.wall)];
-    const NodeMotion& node = step.motion[static_cast<std::size_t>(candidate.node)];
+    const Wall& wall = nth(walls, candidate.wall);
+    const NodeMotion& node = nth(step.motion, candidate.node);
     const double gap = (node.position - wall.point).dot(wall.normal);
     const double wall_rate = wall.velocity.dot(wall.normal);
     const double next_gap = gap + step.dt * (node.predicted.dot(wall.normal) - wall_rate);
@@ -21,9 +21,7 @@ void detect_walls(const StepView& step, std::span<const WallCandidate> candidate
     const bool closed = held || gap < 0;
     const double limit = settings.tolerances->recovery_limit * settings.wall_size;
     const double recovery = std::clamp(-settings.tolerances->recovery * gap, -limit, limit);
-    Row row{.key = {.kind = RowKind::wall,
-                    .slave = step.gid[static_cast<std::size_t>(candidate.node)],
-                    .master = candidate.wall}};
+    Row row{.key = {.kind = RowKind::wall, .slave = nth(step.gid, candidate.node), .master = candidate.wall}};
     row.nodes[0] = candidate.node;
     row.weights[0] = 1;
     row.node_count = 1;

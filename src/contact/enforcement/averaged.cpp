@@ -93,9 +93,8 @@ bool ask_back(const System& system, double least, Exchange& exchange, std::span<
     const RowLaw& law = system.rows.laws[q];
     const double averaged = law.normal.dot(relative_velocity(system.rows, q, velocity));
     if (law.required - averaged <= least) continue;
-    const double predicted = law.normal.dot(relative_velocity(system.rows, q, [&](LocalIndex node) -> const Vec3& {
-      return system.motion[static_cast<std::size_t>(node)].predicted;
-    }));
+    const double predicted = law.normal.dot(relative_velocity(
+        system.rows, q, [&](LocalIndex node) -> const Vec3& { return nth(system.motion, node).predicted; }));
     scratch.asked[q] = asked_back(law.required, predicted, averaged);
     if (scratch.asked[q] > law.required) any = 1;
   }

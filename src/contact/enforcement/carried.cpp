@@ -37,8 +37,7 @@ double value_of(std::int64_t coarse, std::int64_t fine, const BinGrid& grid) {
 }
 
 Vec3 arm_of(const CarriedPoint& point, const Carriers& carriers, std::span<const NodeMotion> motion) {
-  return motion[static_cast<std::size_t>(point.point)].position -
-         carriers.bodies[static_cast<std::size_t>(point.body)].centre;
+  return nth(motion, point.point).position - nth(carriers.bodies, point.body).centre;
 }
 
 /// Blocks of row q on bodies, in the order of its points. Does it have no others?
@@ -52,7 +51,7 @@ bool find_blocks(const Carriers& carriers, std::span<const NodeMotion> motion, c
       all_carried = false;
       continue;
     }
-    const CarriedPoint& point = carriers.points[static_cast<std::size_t>(place)];
+    const CarriedPoint& point = nth(carriers.points, place);
     auto block = std::ranges::find(scratch.blocks, point.body, &RowBlock::body);
     if (block == scratch.blocks.end()) block = scratch.blocks.insert(block, {.body = point.body});
     Mat3 part = rows.weights[k] * Mat3::Identity();
@@ -132,7 +131,7 @@ void answer_together(const CoupledBodies& group, std::span<BodyAnswer> answers) 
   const auto part = [](Eigen::VectorXd& of_all, std::size_t k) {
     return of_all.segment<6>(static_cast<Eigen::Index>(6 * k));
   };
-  const auto answer = [&](std::size_t k) -> BodyAnswer& { return answers[static_cast<std::size_t>(group.bodies[k])]; };
+  const auto answer = [&](std::size_t k) -> BodyAnswer& { return nth(answers, group.bodies[k]); };
   for (std::size_t k = 0; k < group.bodies.size(); ++k) part(impulse, k) = answer(k).impulse;
   Eigen::VectorXd change = group.mobility * impulse;
   for (std::size_t k = 0; k < group.bodies.size(); ++k) answer(k).change = part(change, k);
@@ -160,7 +159,7 @@ void lay_rows_on_bodies(const Carriers& carriers, std::span<const NodeMotion> mo
   if (carriers.bodies.empty()) return;
   scratch.place.assign(motion.size(), no_index);
   for (std::size_t i = 0; i < carriers.points.size(); ++i)
-    scratch.place[static_cast<std::size_t>(carriers.points[i].point)] = static_cast<LocalIndex>(i);
+    nth(scratch.place, carriers.points[i].point) = static_cast<LocalIndex>(i);
   rows.on_bodies.clear();
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const bool all_carried = find_blocks(carriers, motion, rows, q, scratch);
@@ -181,14 +180,14 @@ void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, 
   const std::span<double> answers = std::span(scratch.largest).subspan(bodies, bodies),
                           bounds = std::span(scratch.largest).last(4);
   for (const BodyShare& share : rows.on_bodies.values) {
-    scratch.largest[static_cast<std::size_t>(share.body)] = 1;
+    nth(scratch.largest, share.body) = 1;
     keep_max(bounds[0], share.weight);
   }
   // of points that rows act on: which others the lists hold is a matter of when they were made
   if (bodies > 0)
     for (const LocalIndex point : rows.points)
-      if (const LocalIndex place = scratch.place[static_cast<std::size_t>(point)]; place != no_index)
-        keep_max(bounds[1], arm_of(carriers.points[static_cast<std::size_t>(place)], carriers, motion).norm());
+      if (const LocalIndex place = nth(scratch.place, point); place != no_index)
+        keep_max(bounds[1], arm_of(nth(carriers.points, place), carriers, motion).norm());
   std::ranges::copy(chains.answer, answers.begin());
   bounds[2] = chains.own_pairs.empty() ? 0 : 1;
   bounds[3] = chains.renewed ? 1 : 0;
@@ -199,9 +198,9 @@ void start_bodies(const Carriers& carriers, std::span<const NodeMotion> motion, 
   scratch.any_soft = bounds[2] > 0;
   chains.renewed = bounds[3] > 0;
   for (const CoupledBodies& group : carriers.coupled) {
-    const auto acts = [&](LocalIndex body) { return scratch.largest[static_cast<std::size_t>(body)] > 0; };
+    const auto acts = [&](LocalIndex body) { return nth(scratch.largest, body) > 0; };
     if (std::ranges::any_of(group.bodies, acts))
-      for (const LocalIndex body : group.bodies) scratch.largest[static_cast<std::size_t>(body)] = 1;
+      for (const LocalIndex body : group.bodies) nth(scratch.largest, body) = 1;
   }
   scratch.active.clear();
   scratch.slot.assign(bodies, 0);
@@ -282,11 +281,10 @@ void add_answer_of_bodies(const Carriers& carriers, std::span<const NodeMotion> 
     answer.change = carriers.bodies[b].mobility * answer.impulse;
   }
   for (const CoupledBodies& group : carriers.coupled)
-    if (scratch.largest[static_cast<std::size_t>(group.bodies.front())] > 0) answer_together(group, scratch.answer);
+    if (nth(scratch.largest, group.bodies.front()) > 0) answer_together(group, scratch.answer);
   for (const CarriedPoint& point : carriers.points) {
-    const Vec6& change = scratch.answer[static_cast<std::size_t>(point.body)].change;
-    velocity[static_cast<std::size_t>(point.point)] +=
-        change.head<3>() + change.tail<3>().cross(arm_of(point, carriers, motion));
+    const Vec6& change = nth(scratch.answer, point.body).change;
+    nth(velocity, point.point) += change.head<3>() + change.tail<3>().cross(arm_of(point, carriers, motion));
   }
 }
 

@@ -204,7 +204,7 @@ void note_pairs(const System& system, ChainScratch& chains) {
     if (pair < 0) continue;
     if (chains.own_pairs.empty() || chains.own_pairs.back() != pair) chains.own_pairs.push_back(pair);
     for (const BodyShare& share : system.rows.bodies_of(q))
-      keep_max(chains.answer[static_cast<std::size_t>(share.body)], share.along * share.along);
+      keep_max(nth(chains.answer, share.body), share.along * share.along);
   }
   sort_unique(chains.own_pairs);
   chains.renewed = chains.own_pairs != chains.last_own_pairs;

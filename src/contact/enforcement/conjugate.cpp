@@ -77,8 +77,7 @@ class Conjugate {
   Amount swept(std::size_t q, double length) const { return Kind::admitted(law(q), asked(q, length)); }
   [[nodiscard]] const RowLaw& law(std::size_t q) const { return system_.rows.laws[q]; }
   Vec3 relative(std::size_t q) const {
-    return relative_velocity(system_.rows, q,
-                             [&](LocalIndex node) -> const Vec3& { return velocity_[static_cast<std::size_t>(node)]; });
+    return relative_velocity(system_.rows, q, [&](LocalIndex node) -> const Vec3& { return nth(velocity_, node); });
   }
   /// What p leaves to be asked for in this row.
   Amount left(std::size_t q) const {

@@ -47,9 +47,8 @@ Energy energy_of_row(const System& system, std::size_t q, const Vec3& impulse, s
                      const EnforcementScratch& scratch) {
   const RowLaw& law = system.rows.laws[q];
   const double wall_rate = system.rows.figures[q].wall_rate, compliance = scratch.compliance[q];
-  const Vec3 before = relative_velocity(system.rows, q, [&](LocalIndex node) -> const Vec3& {
-    return system.motion[static_cast<std::size_t>(node)].predicted;
-  });
+  const Vec3 before = relative_velocity(
+      system.rows, q, [&](LocalIndex node) -> const Vec3& { return nth(system.motion, node).predicted; });
   const Vec3 change = relative_velocity(system.rows, q, velocity) - before;
   Energy energy{
       .linear = impulse.dot(before) - law.normal.dot(impulse) * wall_rate - work_of_recovery(law, wall_rate, impulse),
@@ -68,7 +67,7 @@ std::vector<Energy> sums_of_islands(std::span<const Energy> of_rows, const Islan
   bounds.assign(count, 0.0);
   for (std::size_t q = 0; q < of_rows.size(); ++q)
     if (const LocalIndex island = islands.of_row[q]; island != no_index)
-      for (const double term : of_rows[q].terms()) keep_max(bounds[static_cast<std::size_t>(island)], std::abs(term));
+      for (const double term : of_rows[q].terms()) keep_max(nth(bounds, island), std::abs(term));
   exchange.max(bounds);
   constexpr std::size_t width = terms_of_energy * parts_of_sum;
   std::vector<std::int64_t> sums(width * count, 0);
@@ -125,7 +124,7 @@ void guard_energy(const System& system, Exchange& exchange, std::span<Vec3> impu
   }
   if (result.scaled_islands == 0) return;
   for (std::size_t q = 0; q < rows; ++q)
-    if (islands.of_row[q] != no_index) impulses[q] *= share[static_cast<std::size_t>(islands.of_row[q])];
+    if (islands.of_row[q] != no_index) impulses[q] *= nth(share, islands.of_row[q]);
   double largest = largest_impulse_on_a_node(system.rows, impulses);
   exchange.max({&largest, 1});
   demand_finite(largest);

@@ -24,7 +24,7 @@ double answer_of(const RowMatrix& rows, std::size_t q) {
 /// Chain of a row between bodies; no_index: none of them moves along it.
 LocalIndex chain_of(const System& system, std::size_t q, const ChainScratch& chains) {
   for (const BodyShare& share : system.rows.bodies_of(q))
-    if (share.along > 0) return chains.chain[static_cast<std::size_t>(share.body)];
+    if (share.along > 0) return nth(chains.chain, share.body);
   return no_index;
 }
 
@@ -46,8 +46,7 @@ double compliance_between_bodies(const System& system, std::size_t q, const Chai
   const double pair = pair_of(system, q);
   if (pair < 0) return 0;
   const auto place = std::ranges::lower_bound(chains.pairs, pair) - chains.pairs.begin();
-  const double bounded = chains.factor[static_cast<std::size_t>(place)],
-               change = change_in(chains, chain_of(system, q, chains));
+  const double bounded = nth(chains.factor, place), change = change_in(chains, chain_of(system, q, chains));
   return system.rows.laws[q].softness * answer_of(system.rows, q) * (change > bounded ? bounded / change : 1.0);
 }
 
@@ -56,8 +55,7 @@ std::pair<double, double> missing_of(const System& system, std::size_t q, std::s
   const RowLaw& law = system.rows.laws[q];
   const auto missing = [&](const Vec3& rate) { return std::max(0.0, law.required - law.normal.dot(rate)); };
   return {missing(relative_velocity(
-              system.rows, q,
-              [&](LocalIndex node) -> const Vec3& { return system.motion[static_cast<std::size_t>(node)].predicted; })),
+              system.rows, q, [&](LocalIndex node) -> const Vec3& { return nth(system.motion, node).predicted; })),
           missing(relative_velocity(system.rows, q, velocity))};
 }
 
@@ -66,9 +64,8 @@ std::pair<double, double> work_of_last(const System& system, std::size_t q, cons
                                        std::span<const Vec3> velocity) {
   const RowLaw& law = system.rows.laws[q];
   const double push = law.normal.dot(before);
-  const double predicted = law.normal.dot(relative_velocity(system.rows, q, [&](LocalIndex node) -> const Vec3& {
-    return system.motion[static_cast<std::size_t>(node)].predicted;
-  }));
+  const double predicted = law.normal.dot(relative_velocity(
+      system.rows, q, [&](LocalIndex node) -> const Vec3& { return nth(system.motion, node).predicted; }));
   const double change = law.normal.dot(relative_velocity(system.rows, q, velocity)) - predicted;
   return {push * (law.required - predicted), push * change};
 }
@@ -148,7 +145,7 @@ void soften(const System& system, std::span<const Vec3> before, std::span<const 
     const double compliance =
         between_bodies ? compliance_between_bodies(system, q, chains) : compliance_of_slave(system, q, scratch.carried);
     if (compliance == 0) continue;
-    const double kept = between_bodies ? chains.kept[static_cast<std::size_t>(chain_of(system, q, chains))] : 1.0;
+    const double kept = between_bodies ? nth(chains.kept, chain_of(system, q, chains)) : 1.0;
     scratch.compliance[q] = compliance;
     scratch.diagonal[q] += compliance;
     const RowFigures& figures = system.rows.figures[q];

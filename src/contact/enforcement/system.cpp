@@ -213,13 +213,11 @@ void demand_finite(double largest) {
 }
 
 Vec3 relative_velocity(const Row& row, std::span<const Vec3> velocity) {
-  return relative_velocity(row,
-                           [&](LocalIndex node) -> const Vec3& { return velocity[static_cast<std::size_t>(node)]; });
+  return relative_velocity(row, [&](LocalIndex node) -> const Vec3& { return nth(velocity, node); });
 }
 
 Vec3 relative_velocity(const RowMatrix& rows, std::size_t q, std::span<const Vec3> velocity) {
-  return relative_velocity(rows, q,
-                           [&](LocalIndex node) -> const Vec3& { return velocity[static_cast<std::size_t>(node)]; });
+  return relative_velocity(rows, q, [&](LocalIndex node) -> const Vec3& { return nth(velocity, node); });
 }
 
 double largest_impulse_on_a_node(const RowMatrix& rows, std::span<const Vec3> impulses) {

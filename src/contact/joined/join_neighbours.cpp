@@ -39,7 +39,7 @@ template <class Use>
 void for_each_together(const mesh::LocalMesh& mesh, const Surface& surface, surface::Alive alive, const Use& use) {
   std::vector<LocalIndex> surface_node(mesh.node_gid.size(), no_index);
   for (std::size_t s = 0; s < surface.model_node.size(); ++s)
-    surface_node[static_cast<std::size_t>(surface.model_node[s])] = static_cast<LocalIndex>(s);
+    nth(surface_node, surface.model_node[s]) = static_cast<LocalIndex>(s);
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const mesh::LocalBlock& block = mesh.blocks[b];
     const std::vector<double>* flags = b < alive.size() && !alive[b].empty() ? &alive[b] : nullptr;
@@ -48,9 +48,9 @@ void for_each_together(const mesh::LocalMesh& mesh, const Surface& surface, surf
       if (flags != nullptr && (*flags)[first / width] <= 0) continue;
       const std::span<const LocalIndex> nodes(&block.nodes[first], width);
       for (const LocalIndex node : nodes) {
-        const LocalIndex at = surface_node[static_cast<std::size_t>(node)];
+        const LocalIndex at = nth(surface_node, node);
         if (at == no_index) continue;
-        for (const LocalIndex other : nodes) use(at, mesh.node_gid[static_cast<std::size_t>(other)]);
+        for (const LocalIndex other : nodes) use(at, nth(mesh.node_gid, other));
       }
     }
   }
@@ -71,9 +71,8 @@ std::vector<Together> seen_here(const mesh::LocalMesh& mesh, const Surface& surf
   for (std::size_t s = 1; s < end.size(); ++s) end[s] += end[s - 1];
   std::vector<GlobalIndex> others(end.back());
   std::vector<std::size_t> next(end.begin(), end.end() - 1);
-  for_each_together(mesh, surface, alive, [&](LocalIndex node, GlobalIndex other) {
-    others[next[static_cast<std::size_t>(node)]++] = other;
-  });
+  for_each_together(mesh, surface, alive,
+                    [&](LocalIndex node, GlobalIndex other) { others[nth(next, node)++] = other; });
   std::vector<Together> seen;
   for (std::size_t s = 0; s < surface.gid.size(); ++s) {
     const auto first = others.begin() + static_cast<std::ptrdiff_t>(end[s]);
@@ -125,7 +124,7 @@ std::vector<EdgeUse> uses_at_home(const comm::Communicator& ranks, const mesh::L
     std::array<GlobalIndex, 4> gid{};
     for (std::size_t i = 0; i < count; ++i) {
       const auto node = static_cast<std::size_t>(face.nodes[i]);
-      corners[i] = mesh.coordinates[static_cast<std::size_t>(surface.model_node[node])];
+      corners[i] = nth(mesh.coordinates, surface.model_node[node]);
       gid[i] = surface.gid[node];
     }
     const Vec3 area = geometry::area_vector({corners.data(), count});
@@ -176,7 +175,7 @@ Ragged<GlobalIndex> element_neighbours(const comm::Communicator& ranks, const me
   std::size_t at = 0;
   for (const Together& pair : seen_here(mesh, surface, alive)) {
     while (surface.gid[at] != pair.gid) ++at;
-    to_owner[static_cast<std::size_t>(surface.home[at].rank)].push_back(pair);
+    nth(to_owner, surface.home[at].rank).push_back(pair);
   }
   std::vector<Together> known = comm::exchange(ranks, to_owner).values;
   keep_different(known);
@@ -199,13 +198,14 @@ std::vector<SurfaceEdge> edges_of(const comm::Communicator& ranks, const mesh::L
     const EdgeUse &one = uses[first], &other = uses[first + 1];
     const double angle = angle_between(one, other);
     if (!(angle > angles.least)) continue;
-    to_face[static_cast<std::size_t>(one.face.rank)].push_back({one.gid,
-                                                                {one.face, other.face},
-                                                                {one.element, other.element},
-                                                                one.body,
-                                                                one.block,
-                                                                std::min(one.element_depth, other.element_depth),
-                                                                kind_of(angle, angles)});
+    nth(to_face, one.face.rank)
+        .push_back({one.gid,
+                    {one.face, other.face},
+                    {one.element, other.element},
+                    one.body,
+                    one.block,
+                    std::min(one.element_depth, other.element_depth),
+                    kind_of(angle, angles)});
   }
   std::vector<EdgeFound> found = comm::exchange(ranks, to_face).values;
   std::sort(found.begin(), found.end(), [](const EdgeFound& a, const EdgeFound& b) { return a.gid < b.gid; });
@@ -232,17 +232,16 @@ void report_to_copies(const comm::Communicator& ranks, const Surface& surface, s
   for (std::size_t i = 0; i < surface.gid.size(); ++i) {
     const auto& [owner, index] = surface.home[i];
     if (owner == ranks.rank()) continue;
-    copies[static_cast<std::size_t>(owner)].push_back(static_cast<LocalIndex>(i));
-    asked[static_cast<std::size_t>(owner)].push_back(index);
+    nth(copies, owner).push_back(static_cast<LocalIndex>(i));
+    nth(asked, owner).push_back(index);
   }
   const Ragged<LocalIndex> wanted = comm::exchange(ranks, asked);
   for (std::size_t r = 0; r < reported.size(); ++r)
-    for (const LocalIndex node : wanted.row(static_cast<LocalIndex>(r)))
-      reported[r].push_back(flags[static_cast<std::size_t>(node)]);
+    for (const LocalIndex node : wanted.row(static_cast<LocalIndex>(r))) reported[r].push_back(nth(flags, node));
   const Ragged<LocalIndex> received = comm::exchange(ranks, reported);
   for (std::size_t r = 0; r < copies.size(); ++r)
     for (std::size_t k = 0; k < copies[r].size(); ++k)
-      flags[static_cast<std::size_t>(copies[r][k])] = static_cast<char>(received.row(static_cast<LocalIndex>(r))[k]);
+      nth(flags, copies[r][k]) = static_cast<char>(received.row(static_cast<LocalIndex>(r))[k]);
 }
 
 std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& surface) {
@@ -250,12 +249,12 @@ std::vector<char> nodes_on_rims(const comm::Communicator& ranks, const Surface& 
   for (const SurfaceEdge& edge : surface.edges) {
     if (edge.kind != EdgeKind::sharp) continue;
     for (const LocalIndex node : edge.nodes) {
-      const Place& home = surface.home[static_cast<std::size_t>(node)];
-      to_owner[static_cast<std::size_t>(home.rank)].push_back(home.index);
+      const Place& home = nth(surface.home, node);
+      nth(to_owner, home.rank).push_back(home.index);
     }
   }
   std::vector<char> on_rim(surface.gid.size(), 0);
-  for (const LocalIndex node : comm::exchange(ranks, to_owner).values) on_rim[static_cast<std::size_t>(node)] = 1;
+  for (const LocalIndex node : comm::exchange(ranks, to_owner).values) nth(on_rim, node) = 1;
 
   report_to_copies(ranks, surface, on_rim);
   return on_rim;

@@ -52,16 +52,19 @@ std::vector<NodeUse> uses_of_owned_nodes(const comm::Communicator& ranks, const 
   LocalIndex contact_face = 0;
   for (const surface::MassPoint& point : outside.points) {
     const auto node = static_cast<std::size_t>(point.node);
-    outgoing[static_cast<std::size_t>(mesh.owner[node])].push_back(
-        {mesh.node_gid[node], point.key, point.block, point.body, no_face});
+    nth(outgoing, mesh.owner[node]).push_back({mesh.node_gid[node], point.key, point.block, point.body, no_face});
   }
   for (std::size_t f = 0; f < outside.faces.size(); ++f) {
     const mesh::ExteriorFace& face = outside.faces[f];
     const bool touches = outside.excluded[f] == 0;
     for (std::size_t i = 0; i < cells::corner_count(face.nodes); ++i) {
       const auto node = static_cast<std::size_t>(face.nodes[i]);
-      outgoing[static_cast<std::size_t>(mesh.owner[node])].push_back(
-          {mesh.node_gid[node], face.key, touches ? face.block : no_index, face.body, {ranks.rank(), contact_face}});
+      nth(outgoing, mesh.owner[node])
+          .push_back({mesh.node_gid[node],
+                      face.key,
+                      touches ? face.block : no_index,
+                      face.body,
+                      {ranks.rank(), contact_face}});
     }
     if (touches) ++contact_face;
   }
@@ -89,7 +92,7 @@ void collect_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
     const GlobalIndex gid = mesh.node_gid[node];
     if (mesh.owner[node] != ranks.rank() || !std::binary_search(owned.begin(), owned.end(), gid)) continue;
     for (const Rank sharer : mesh.sharers.row(static_cast<LocalIndex>(s)))
-      if (sharer != ranks.rank()) reported[static_cast<std::size_t>(sharer)].push_back(gid);
+      if (sharer != ranks.rank()) nth(reported, sharer).push_back(gid);
   }
   const Ragged<GlobalIndex> received = comm::exchange(ranks, reported);
   surface.gid = owned;
@@ -106,8 +109,7 @@ void collect_nodes(const comm::Communicator& ranks, const mesh::LocalMesh& mesh,
   for (Rank r = 0; r < ranks.size(); ++r) {
     const auto gids = received.row(r);
     const auto there = places.row(r);
-    for (std::size_t i = 0; i < gids.size(); ++i)
-      surface.home[static_cast<std::size_t>(index_of(surface.gid, gids[i]))] = {r, there[i]};
+    for (std::size_t i = 0; i < gids.size(); ++i) nth(surface.home, index_of(surface.gid, gids[i])) = {r, there[i]};
   }
 }
 
@@ -132,10 +134,8 @@ void attach_faces(const std::vector<NodeUse>& uses, Surface& surface) {
 
 /// The local nodes of the element behind a face; none for a surface without elements.
 std::span<const LocalIndex> element_of(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
-  if (static_cast<std::size_t>(face.block) >= mesh.blocks.size() ||
-      mesh.blocks[static_cast<std::size_t>(face.block)].gid.empty())
-    return {};
-  const mesh::LocalBlock& block = mesh.blocks[static_cast<std::size_t>(face.block)];
+  if (static_cast<std::size_t>(face.block) >= mesh.blocks.size() || nth(mesh.blocks, face.block).gid.empty()) return {};
+  const mesh::LocalBlock& block = nth(mesh.blocks, face.block);
   const auto found = std::lower_bound(block.gid.begin(), block.gid.end(), cells::element_of_key(face.key));
   demand(found != block.gid.end() && *found == cells::element_of_key(face.key),
          "the element of an exterior face is on its rank");
@@ -148,7 +148,7 @@ std::span<const LocalIndex> element_of(const mesh::LocalMesh& mesh, const mesh::
 double element_depth(const mesh::LocalMesh& mesh, const mesh::ExteriorFace& face) {
   const std::span<const LocalIndex> element = element_of(mesh, face);
   if (element.empty()) return std::numeric_limits<double>::infinity();
-  const auto corner = [&](LocalIndex node) -> const Vec3& { return mesh.coordinates[static_cast<std::size_t>(node)]; };
+  const auto corner = [&](LocalIndex node) -> const Vec3& { return nth(mesh.coordinates, node); };
   const std::size_t count = cells::corner_count(face.nodes);
   std::array<Vec3, 4> corners;
   Vec3 centre = Vec3::Zero();
@@ -172,13 +172,12 @@ void collect_faces(const mesh::LocalMesh& mesh, const Outside& outside, Surface&
                      .block = from.block,
                      .element_depth = element_depth(mesh, from)};
     for (std::size_t i = 0; i < cells::corner_count(from.nodes); ++i)
-      face.nodes[i] = index_of(surface.gid, mesh.node_gid[static_cast<std::size_t>(from.nodes[i])]);
+      face.nodes[i] = index_of(surface.gid, nth(mesh.node_gid, from.nodes[i]));
     face.element.fill(no_index);
     const std::span<const LocalIndex> element = element_of(mesh, from);
     const std::span<const LocalIndex> behind =
         element.empty() ? std::span(from.nodes.data(), cells::corner_count(from.nodes)) : element;
-    for (std::size_t i = 0; i < behind.size(); ++i)
-      face.element[i] = mesh.node_gid[static_cast<std::size_t>(behind[i])];
+    for (std::size_t i = 0; i < behind.size(); ++i) face.element[i] = nth(mesh.node_gid, behind[i]);
     surface.faces.push_back(face);
   }
 }
@@ -202,8 +201,8 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
     std::array<Vec3, 4> corners;
     const auto count = static_cast<std::size_t>(face.corner_count);
     for (std::size_t i = 0; i < count; ++i) {
-      const LocalIndex node = surface.model_node[static_cast<std::size_t>(face.nodes[i])];
-      corners[i] = mesh.coordinates[static_cast<std::size_t>(node)];
+      const LocalIndex node = nth(surface.model_node, face.nodes[i]);
+      corners[i] = nth(mesh.coordinates, node);
     }
     const geometry::Corners view(corners.data(), count);
     const auto body = static_cast<std::size_t>(face.body);
@@ -220,7 +219,7 @@ void measure_bodies(const comm::Communicator& ranks, const mesh::LocalMesh& mesh
   for (std::size_t i = 0; i < surface.gid.size(); ++i) {
     if (!surface.owns(static_cast<LocalIndex>(i), ranks.rank())) continue;
     const auto body = static_cast<std::size_t>(surface.body[i]);
-    const double inverse = inverse_mass[static_cast<std::size_t>(surface.model_node[i])];
+    const double inverse = nth(inverse_mass, surface.model_node[i]);
     ++counts[body_count + body];
     if (inverse > 0)
       sums[body_count + body].add(1 / inverse);

@@ -56,7 +56,7 @@ StartFace start_face(const mesh::LocalMesh& mesh, const Surface& surface, const 
   std::array<Vec3, 4> corners;
   for (std::size_t i = 0; i < count; ++i) {
     const auto node = static_cast<std::size_t>(from.nodes[i]);
-    corners[i] = mesh.coordinates[static_cast<std::size_t>(surface.model_node[node])];
+    corners[i] = nth(mesh.coordinates, surface.model_node[node]);
     face.corners[i] = {corners[i][0], corners[i][1], corners[i][2]};
     face.gid[i] = surface.gid[node];
   }
@@ -89,9 +89,7 @@ void look_beyond(const Surface& surface, std::span<const StartFace> faces, const
     const Vec3 normal = faces[f].normal();
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t next = faces[f].next(i);
-      const auto on_rim = [&](std::size_t c) {
-        return surface.on_rim[static_cast<std::size_t>(surface.faces[f].nodes[c])] != 0;
-      };
+      const auto on_rim = [&](std::size_t c) { return nth(surface.on_rim, surface.faces[f].nodes[c]) != 0; };
       if (!on_rim(i) || !on_rim(next)) continue;
       const Vec3 side = corners[next] - corners[i], out = side.cross(normal).normalized();
       for (const double share : {tolerances.seam_sample, 1 - tolerances.seam_sample}) {
@@ -132,7 +130,7 @@ std::vector<BodyPair> mark_sides(const comm::Communicator& ranks, const mesh::Lo
   std::vector<BodyPair> flush;
   for (std::size_t p = 0; p < points.size(); ++p)
     for (const LocalIndex f : std::as_const(found).row(static_cast<LocalIndex>(p))) {
-      const StartFace &own = faces[sides[p].face], &other = faces[static_cast<std::size_t>(f)];
+      const StartFace &own = faces[sides[p].face], &other = nth(faces, f);
       if (!continues(own, sides[p], points[p], other, tolerances)) continue;
       surface.faces[sides[p].face].seams |= static_cast<std::uint8_t>(1U << sides[p].side);
       flush.emplace_back(std::minmax(own.body, other.body));
@@ -179,10 +177,10 @@ Ragged<SeamOfNode> report_seams(const comm::Communicator& ranks, const Surface& 
     for (std::size_t side = 0; side < 4; ++side) {
       if ((surface.faces[f].seams >> side & 1U) == 0) continue;
       for (const std::size_t end : {side, faces[f].next(side)}) {
-        const Place& home = surface.home[static_cast<std::size_t>(surface.faces[f].nodes[end])];
-        nodes[static_cast<std::size_t>(home.rank)].push_back({home.index, static_cast<LocalIndex>(f), faces[f].sag,
-                                                              as_array(faces[f].normal()),
-                                                              as_array(faces[f].out(side))});
+        const Place& home = nth(surface.home, surface.faces[f].nodes[end]);
+        nth(nodes, home.rank)
+            .push_back({home.index, static_cast<LocalIndex>(f), faces[f].sag, as_array(faces[f].normal()),
+                        as_array(faces[f].out(side))});
       }
     }
   return comm::exchange(ranks, nodes);
@@ -209,7 +207,7 @@ void mark_nodes(const Ragged<SeamOfNode>& received, const Tolerances& tolerances
         return Vec3(other.out.data()).dot(Vec3(seam.normal.data())) > tolerances.facing;
       };
       if (std::ranges::any_of(equal_part(known, seam.node, &SeamOfNode::node), goes_by)) continue;
-      surface.seam_sag[static_cast<std::size_t>(&*at - surface.facets.values.data())] = seam.sag;
+      nth(surface.seam_sag, &*at - surface.facets.values.data()) = seam.sag;
     }
 }
 
@@ -231,14 +229,13 @@ std::vector<std::vector<SideAtSeam>> find_sides_at_seams(const comm::Communicato
       for (std::size_t side = 0; side < static_cast<std::size_t>(faces[f].corner_count); ++side)
         for (const bool second : {false, true}) {
           const LocalIndex node = surface.faces[f].nodes[second ? faces[f].next(side) : side];
-          if (surface.on_rim[static_cast<std::size_t>(node)] != 0)
-            visit(f, side, second, surface.home[static_cast<std::size_t>(node)]);
+          if (nth(surface.on_rim, node) != 0) visit(f, side, second, nth(surface.home, node));
         }
   };
   std::vector<std::vector<EndAtNode>> asked(count);
   each_end([&](std::size_t f, std::size_t side, bool second, const Place& home) {
     const Vec3 along = (second ? -1 : 1) * faces[f].along(side);
-    asked[static_cast<std::size_t>(home.rank)].push_back({home.index, as_array(faces[f].normal()), as_array(along)});
+    nth(asked, home.rank).push_back({home.index, as_array(faces[f].normal()), as_array(along)});
   });
   const Ragged<EndAtNode> questions = comm::exchange(ranks, asked);
   const std::vector<SeamOfNode> known = by_node(received);
@@ -253,7 +250,7 @@ std::vector<std::vector<SideAtSeam>> find_sides_at_seams(const comm::Communicato
   std::vector<std::array<std::array<bool, 2>, 4>> at_side(faces.size());
   std::vector<std::size_t> next(count, 0);
   each_end([&](std::size_t f, std::size_t side, bool second, const Place& home) {
-    at_side[f][side][second ? 1 : 0] = replies.row(home.rank)[next[static_cast<std::size_t>(home.rank)]++] != 0;
+    at_side[f][side][second ? 1 : 0] = replies.row(home.rank)[nth(next, home.rank)++] != 0;
   });
   std::vector<std::vector<SideAtSeam>> sides(count);
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -268,8 +265,8 @@ std::vector<std::vector<SideAtSeam>> find_sides_at_seams(const comm::Communicato
         std::swap(found.end_at_side[0], found.end_at_side[1]);
       }
       found.side = {{faces[f].gid[low], faces[f].gid[high]}, {ranks.rank(), static_cast<LocalIndex>(f)}};
-      const Place& home = surface.home[static_cast<std::size_t>(surface.faces[f].nodes[low])];
-      sides[static_cast<std::size_t>(home.rank)].push_back(found);
+      const Place& home = nth(surface.home, surface.faces[f].nodes[low]);
+      nth(sides, home.rank).push_back(found);
     }
   return sides;
 }
@@ -281,13 +278,11 @@ void mark_edges(const comm::Communicator& ranks, const std::vector<std::vector<S
   std::ranges::sort(known, {}, &SideAtSeam::side);
   std::vector<std::vector<SideOfFace>> asked(count);
   const auto asks = [&](const SurfaceEdge& edge) {
-    return static_cast<std::size_t>(surface.home[static_cast<std::size_t>(edge.nodes[0])].rank);
+    return static_cast<std::size_t>(nth(surface.home, edge.nodes[0]).rank);
   };
   for (const SurfaceEdge& edge : surface.edges)
     for (const Place& facet : edge.facets)
-      asked[asks(edge)].push_back(
-          {{surface.gid[static_cast<std::size_t>(edge.nodes[0])], surface.gid[static_cast<std::size_t>(edge.nodes[1])]},
-           facet});
+      asked[asks(edge)].push_back({{nth(surface.gid, edge.nodes[0]), nth(surface.gid, edge.nodes[1])}, facet});
   const Ragged<SideOfFace> questions = comm::exchange(ranks, asked);
   std::vector<std::vector<SideAtSeam>> answers(count);
   for (std::size_t r = 0; r < count; ++r)

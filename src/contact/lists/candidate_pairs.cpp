@@ -17,7 +17,7 @@ using geometry::Box;
 std::vector<GhostFace> own_master_faces(const ListBuild& build) {
   std::vector<GhostFace> masters;
   for (const SurfaceFace& face : build.surface.faces) {
-    if (build.roles.master[static_cast<std::size_t>(face.body)] == 0) continue;
+    if (nth(build.roles.master, face.body) == 0) continue;
     GhostFace master{.key = face.key,
                      .corner_count = face.corner_count,
                      .body = face.body,
@@ -29,8 +29,8 @@ std::vector<GhostFace> own_master_faces(const ListBuild& build) {
     std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < count; ++i) {
       corners[i] = build.position(face.nodes[i]);
-      master.gid[i] = build.surface.gid[static_cast<std::size_t>(face.nodes[i])];
-      master.home[i] = build.surface.home[static_cast<std::size_t>(face.nodes[i])];
+      master.gid[i] = nth(build.surface.gid, face.nodes[i]);
+      master.home[i] = nth(build.surface.home, face.nodes[i]);
     }
     const double edge = geometry::longest_edge({corners.data(), count});
     master.capture = PlainBox(capture_box(build, {corners.data(), count}, edge, face.element_depth));
@@ -89,14 +89,13 @@ CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build) {
   Ragged<LocalIndex> found;
   find_pairs_by(build.settings.search, boxes, points, build.scratch.faces, found);
   for (LocalIndex s = 0; s < found.rows(); ++s) {
-    const LocalIndex node = slaves[static_cast<std::size_t>(s)];
+    const LocalIndex node = nth(slaves, s);
     for (const LocalIndex f : std::as_const(found).row(s))
-      if (is_permitted(build, node, result.masters[static_cast<std::size_t>(f)])) result.pairs.push_back({node, f});
+      if (is_permitted(build, node, nth(result.masters, f))) result.pairs.push_back({node, f});
   }
   std::sort(result.pairs.begin(), result.pairs.end(), [&](const CandidatePair& a, const CandidatePair& b) {
     if (a.slave != b.slave) return a.slave < b.slave;
-    const GhostFace &one = result.masters[static_cast<std::size_t>(a.master)],
-                    &other = result.masters[static_cast<std::size_t>(b.master)];
+    const GhostFace &one = nth(result.masters, a.master), &other = nth(result.masters, b.master);
     return one.body != other.body ? one.body < other.body : one.key < other.key;
   });
   return result;

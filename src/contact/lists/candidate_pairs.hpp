@@ -22,7 +22,7 @@ struct ListBuild {
   const ListSettings& settings;
   ListScratch& scratch;
 
-  [[nodiscard]] const Vec3& position(LocalIndex node) const { return positions[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const Vec3& position(LocalIndex node) const { return nth(positions, node); }
   [[nodiscard]] double finest_cell() const { return 2 * (surface.mean_edge + 2 * settings.motion); }
 };
 

@@ -66,16 +66,16 @@ std::vector<LocalIndex> edges_to_search(const ListBuild& build) {
   const BodyBoxes boxes = holds_rims(build.specification) ? boxes_of_bodies(build) : BodyBoxes{};
   std::vector<std::vector<LocalIndex>> near(build.surface.bodies.size());
   for_each_overlap(boxes.edges, boxes.rims, build.scratch.bodies, [&](LocalIndex one, LocalIndex other) {
-    const LocalIndex body = boxes.with_edges[static_cast<std::size_t>(one)];
-    if (body != boxes.with_rims[static_cast<std::size_t>(other)]) near[static_cast<std::size_t>(body)].push_back(other);
+    const LocalIndex body = nth(boxes.with_edges, one);
+    if (body != nth(boxes.with_rims, other)) nth(near, body).push_back(other);
   });
   std::vector<LocalIndex> chosen;
   for (std::size_t e = 0; e < build.surface.edges.size(); ++e) {
     const SurfaceEdge& edge = build.surface.edges[e];
     const auto is_near = [&](LocalIndex other) {
-      return geometry::overlaps(capture_box(build, edge), boxes.rims[static_cast<std::size_t>(other)]);
+      return geometry::overlaps(capture_box(build, edge), nth(boxes.rims, other));
     };
-    if (edge.kind != EdgeKind::flat || std::ranges::any_of(near[static_cast<std::size_t>(edge.body)], is_near))
+    if (edge.kind != EdgeKind::flat || std::ranges::any_of(nth(near, edge.body), is_near))
       chosen.push_back(static_cast<LocalIndex>(e));
   }
   return chosen;
@@ -85,7 +85,7 @@ std::vector<LocalIndex> edges_to_search(const ListBuild& build) {
 std::vector<GhostEdge> own_edges(const ListBuild& build, std::span<const LocalIndex> chosen, bool sharp) {
   std::vector<GhostEdge> edges;
   for (const LocalIndex e : chosen) {
-    const SurfaceEdge& edge = build.surface.edges[static_cast<std::size_t>(e)];
+    const SurfaceEdge& edge = nth(build.surface.edges, e);
     if (is_sharp(edge.kind) != sharp) continue;
     GhostEdge master{.facets = edge.facets, .elements = edge.elements, .body = edge.body, .block = edge.block};
     master.element_depth = edge.element_depth;
@@ -93,9 +93,9 @@ std::vector<GhostEdge> own_edges(const ListBuild& build, std::span<const LocalIn
     master.seam = edge.seam;
     master.end_at_side = edge.end_at_side;
     for (std::size_t i = 0; i < 2; ++i) {
-      master.end_on_rim[i] = build.surface.on_rim[static_cast<std::size_t>(edge.nodes[i])];
-      master.gid[i] = build.surface.gid[static_cast<std::size_t>(edge.nodes[i])];
-      master.home[i] = build.surface.home[static_cast<std::size_t>(edge.nodes[i])];
+      master.end_on_rim[i] = nth(build.surface.on_rim, edge.nodes[i]);
+      master.gid[i] = nth(build.surface.gid, edge.nodes[i]);
+      master.home[i] = nth(build.surface.home, edge.nodes[i]);
     }
     master.capture = PlainBox(capture_box(build, edge));
     edges.push_back(master);
@@ -113,7 +113,7 @@ struct SlaveEdges {
 SlaveEdges slave_edges(const ListBuild& build, std::span<const LocalIndex> chosen, bool sharp_alone) {
   SlaveEdges slaves;
   for (const LocalIndex e : chosen) {
-    const SurfaceEdge& edge = build.surface.edges[static_cast<std::size_t>(e)];
+    const SurfaceEdge& edge = nth(build.surface.edges, e);
     if (sharp_alone && !is_sharp(edge.kind)) continue;
     slaves.edge.push_back(e);
     slaves.box.push_back(
@@ -141,8 +141,7 @@ bool is_permitted(const ListBuild& build, const SurfaceEdge& slave, const GhostE
     return false;
   const bool flat = slave.kind == EdgeKind::flat || master.kind == EdgeKind::flat;
   if (slave.body != master.body) return !flat || holds_rims(build, slave, master);
-  const std::array gid{build.surface.gid[static_cast<std::size_t>(slave.nodes[0])],
-                       build.surface.gid[static_cast<std::size_t>(slave.nodes[1])]};
+  const std::array gid{nth(build.surface.gid, slave.nodes[0]), nth(build.surface.gid, slave.nodes[1])};
   if (flat || !(gid < master.gid)) return false;
   return std::ranges::none_of(slave.elements, [&](GlobalIndex node) {
     return node != no_index && std::ranges::find(master.elements, node) != master.elements.end();
@@ -154,9 +153,8 @@ void add_pairs(const ListBuild& build, const SlaveEdges& slaves, std::vector<Gho
   add_ghosts(build, slaves.box, masters);
   const auto first = static_cast<LocalIndex>(result.masters.size());
   for_each_overlap(slaves.box, capture_boxes(masters), scratch, [&](LocalIndex s, LocalIndex master) {
-    const LocalIndex slave = slaves.edge[static_cast<std::size_t>(s)];
-    if (is_permitted(build, build.surface.edges[static_cast<std::size_t>(slave)],
-                     masters[static_cast<std::size_t>(master)]))
+    const LocalIndex slave = nth(slaves.edge, s);
+    if (is_permitted(build, nth(build.surface.edges, slave), nth(masters, master)))
       result.pairs.push_back({slave, first + master});
   });
   result.masters.insert(result.masters.end(), masters.begin(), masters.end());
@@ -171,8 +169,7 @@ CandidatePairs<GhostEdge> find_edge_pairs(const ListBuild& build) {
   add_pairs(build, slave_edges(build, chosen, true), own_edges(build, chosen, false), build.scratch.edges, result);
   std::sort(result.pairs.begin(), result.pairs.end(), [&](const CandidatePair& a, const CandidatePair& b) {
     if (a.slave != b.slave) return a.slave < b.slave;
-    return result.masters[static_cast<std::size_t>(a.master)].gid <
-           result.masters[static_cast<std::size_t>(b.master)].gid;
+    return nth(result.masters, a.master).gid < nth(result.masters, b.master).gid;
   });
   return result;
 }

@@ -35,8 +35,7 @@ std::array<std::int64_t, 3> cell_at(const Vec3& point, double edge) {
   std::array<std::int64_t, 3> cell{};
   for (int a = 0; a < 3; ++a) {
     const double index = std::floor(point[a] / edge);
-    cell[static_cast<std::size_t>(a)] =
-        std::isnan(index) ? 0 : static_cast<std::int64_t>(std::clamp(index, -limit, limit));
+    nth(cell, a) = std::isnan(index) ? 0 : static_cast<std::int64_t>(std::clamp(index, -limit, limit));
   }
   return cell;
 }
@@ -82,7 +81,7 @@ bool too_large(const geometry::Box& box, double finest) {  // a run that blew up
 Levels own_levels(const comm::Communicator& ranks, std::span<const geometry::Box> boxes, double finest) {
   Levels used{};
   for (const geometry::Box& box : boxes)
-    if (!too_large(box, finest)) used[static_cast<std::size_t>(level_of(box, finest))] = 1;
+    if (!too_large(box, finest)) nth(used, level_of(box, finest)) = 1;
   ranks.max(used);
   return used;
 }
@@ -95,7 +94,7 @@ std::vector<BoxCell> cells_of(std::span<const geometry::Box> boxes, double fines
     if (too_large(boxes[b], finest)) continue;
     const int own = level_of(boxes[b], finest);
     for (int level = own; level < grid_levels; ++level) {
-      if (level != own && others[static_cast<std::size_t>(level)] == 0) continue;
+      if (level != own && nth(others, level) == 0) continue;
       keys.clear();
       append_cells(boxes[b], level, finest, keys);
       for (const CellKey key : keys) cells.push_back({key, static_cast<LocalIndex>(b), level == own ? 1 : 0});
@@ -145,7 +144,7 @@ std::vector<CellUse> meet_at_home(const comm::Communicator& ranks, const std::ve
     for (std::size_t o = first; o < wanting; ++o)
       for (std::size_t w = wanting; w < last; ++w)
         if (uses[w].rank != uses[o].rank && (uses[w].own_level != 0 || uses[o].own_level != 0))
-          to_offering[static_cast<std::size_t>(uses[o].rank)].push_back(uses[w]);
+          nth(to_offering, uses[o].rank).push_back(uses[w]);
     first = last;
   }
   return comm::exchange(ranks, to_offering).values;
@@ -178,13 +177,12 @@ std::vector<std::vector<LocalIndex>> meet_in_cells(const comm::Communicator& ran
     auto cell = std::lower_bound(offered_cells.begin(), offered_cells.end(), need.key,
                                  [](const BoxCell& a, CellKey key) { return a.key < key; });
     for (; cell != offered_cells.end() && cell->key == need.key; ++cell)
-      if (cell->own_level != 0 || need.own_level != 0)
-        leaving[static_cast<std::size_t>(need.rank)].push_back(cell->box);
+      if (cell->own_level != 0 || need.own_level != 0) nth(leaving, need.rank).push_back(cell->box);
   }
   for (std::size_t b = 0; b < offered.size(); ++b)  // no grid holds it
     if (extent_of(offered[b]) > edge_of(grid_levels - 1, finest))
       for (Rank r = 0; r < ranks.size(); ++r)
-        if (r != ranks.rank()) leaving[static_cast<std::size_t>(r)].push_back(static_cast<LocalIndex>(b));
+        if (r != ranks.rank()) nth(leaving, r).push_back(static_cast<LocalIndex>(b));
   for (std::vector<LocalIndex>& boxes : leaving) {
     std::sort(boxes.begin(), boxes.end());
     boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());

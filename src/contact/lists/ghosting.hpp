@@ -77,7 +77,7 @@ std::vector<Ghost> ghost(const comm::Communicator& ranks, std::span<const Ghost>
   std::vector<std::vector<Ghost>> outgoing;
   for (const std::vector<LocalIndex>& leaving : meet_in_cells(ranks, boxes, wanted, finest)) {
     outgoing.emplace_back();
-    for (const LocalIndex i : leaving) outgoing.back().push_back(offered[static_cast<std::size_t>(i)]);
+    for (const LocalIndex i : leaving) outgoing.back().push_back(nth(offered, i));
   }
   std::vector<Ghost> ghosts = comm::exchange(ranks, outgoing).values;
   std::sort(ghosts.begin(), ghosts.end());

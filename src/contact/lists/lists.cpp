@@ -52,10 +52,9 @@ NodeTable make_table(const ListBuild& build, std::vector<NeededNode> needed, Rag
   std::vector<std::vector<LocalIndex>> requests(static_cast<std::size_t>(build.ranks.size()));
   sort_unique(needed);
   for (const auto& [gid, home] : needed)
-    if (home.rank != here) requests[static_cast<std::size_t>(home.rank)].push_back(home.index);
+    if (home.rank != here) nth(requests, home.rank).push_back(home.index);
   requested = comm::exchange(build.ranks, requests);
-  for (const LocalIndex node : requested.values)
-    needed.push_back({build.surface.gid[static_cast<std::size_t>(node)], {here, node}});
+  for (const LocalIndex node : requested.values) needed.push_back({nth(build.surface.gid, node), {here, node}});
   sort_unique(needed);
   NodeTable table;
   for (const auto& [gid, home] : needed) {
@@ -75,21 +74,20 @@ NodeLinks link_nodes(const ListBuild& build, const NodeTable& table, const Ragge
   std::vector<std::vector<LocalIndex>> copy_place(rank_count), owner_place(rank_count);
   for (std::size_t i = 0; i < table.gid.size(); ++i)
     if (table.home[i].rank != build.ranks.rank())
-      copy_place[static_cast<std::size_t>(table.home[i].rank)].push_back(static_cast<LocalIndex>(i));
+      nth(copy_place, table.home[i].rank).push_back(static_cast<LocalIndex>(i));
   for (Rank r = 0; r < build.ranks.size(); ++r)
     for (const LocalIndex node : requested.row(r))
-      owner_place[static_cast<std::size_t>(r)].push_back(
-          table_index(table, build.surface.gid[static_cast<std::size_t>(node)]));
+      nth(owner_place, r).push_back(table_index(table, nth(build.surface.gid, node)));
   const Ragged<LocalIndex> on_copier = comm::exchange(build.ranks, copy_place);
   const Ragged<LocalIndex> on_owner = comm::exchange(build.ranks, owner_place);
   for (Rank r = 0; r < build.ranks.size(); ++r) {
     const auto there = on_owner.row(r), copier = on_copier.row(r);
     for (std::size_t i = 0; i < there.size(); ++i) {
-      links.copies.push_back(copy_place[static_cast<std::size_t>(r)][i]);
+      links.copies.push_back(nth(copy_place, r)[i]);
       links.source.push_back({r, there[i]});
     }
     for (std::size_t i = 0; i < copier.size(); ++i) {
-      links.copied.push_back(owner_place[static_cast<std::size_t>(r)][i]);
+      links.copied.push_back(nth(owner_place, r)[i]);
       links.destination.push_back({r, copier[i]});
     }
   }
@@ -104,7 +102,7 @@ template <class Ghost>
 std::vector<LocalIndex> masters_in_use(const CandidatePairs<Ghost>& found, std::vector<LocalIndex>& used) {
   std::vector<LocalIndex> place(found.masters.size(), no_index);
   for (const CandidatePair& pair : found.pairs) {
-    LocalIndex& here = place[static_cast<std::size_t>(pair.master)];
+    LocalIndex& here = nth(place, pair.master);
     if (here != no_index) continue;
     here = static_cast<LocalIndex>(used.size());
     used.push_back(pair.master);
@@ -125,7 +123,7 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
   std::vector<LocalIndex> used;
   const std::vector<LocalIndex> place = masters_in_use(found, used);
   for (const LocalIndex m : used) {
-    const GhostFace& from = found.masters[static_cast<std::size_t>(m)];
+    const GhostFace& from = nth(found.masters, m);
     MasterFace master{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
     master.element_depth = from.element_depth;
     master.seams = from.seams;
@@ -137,10 +135,9 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
   }
   Candidates& candidates = lists.candidates;
   for_each_slave(found.pairs, [&](LocalIndex node, std::span<const CandidatePair> pairs) {
-    candidates.slave.push_back(table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]));
-    candidates.body.push_back(build.surface.body[static_cast<std::size_t>(node)]);
-    for (const CandidatePair& pair : pairs)
-      candidates.faces.values.push_back(place[static_cast<std::size_t>(pair.master)]);
+    candidates.slave.push_back(table_index(lists.nodes, nth(build.surface.gid, node)));
+    candidates.body.push_back(nth(build.surface.body, node));
+    for (const CandidatePair& pair : pairs) candidates.faces.values.push_back(nth(place, pair.master));
     candidates.faces.close_row();
     lists.most_rows += std::min(pairs.size(), most_rows_of_a_node);
     lists.most_faces_of_a_slave = std::max(lists.most_faces_of_a_slave, pairs.size());
@@ -154,7 +151,7 @@ void fill_passes(const ListBuild& build, const FacePairs& found, Candidates& can
   const std::vector<BodyFigures>& bodies = build.surface.bodies;
   for (const CandidatePair& pair : found.pairs) {
     SurfaceNode node = build.surface.node(pair.slave);
-    const GhostFace& face = found.masters[static_cast<std::size_t>(pair.master)];
+    const GhostFace& face = nth(found.masters, pair.master);
     const bool primary = is_primary_slave(build.specification, bodies, node, face.block, face.body);
     if (primary) node.on_rim = false;
     const bool two =
@@ -178,7 +175,7 @@ void fill_thickness(const ListBuild& build, const FacePairs& found, Candidates& 
 void fill_seams(const ListBuild& build, const FacePairs& found, Candidates& candidates) {
   if (build.surface.flush.empty()) return;
   for_each_slave(found.pairs, [&](LocalIndex node, auto /*pairs*/) {
-    const auto first = build.surface.facets.offsets[static_cast<std::size_t>(node)];
+    const auto first = nth(build.surface.facets.offsets, node);
     const auto end = build.surface.facets.offsets[static_cast<std::size_t>(node) + 1];
     candidates.seam_sag.insert(candidates.seam_sag.end(), build.surface.seam_sag.begin() + first,
                                build.surface.seam_sag.begin() + end);
@@ -191,7 +188,7 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
   const std::vector<LocalIndex> place = masters_in_use(found, used);
   EdgeCandidates& edges = lists.edges;
   for (const LocalIndex m : used) {
-    const GhostEdge& from = found.masters[static_cast<std::size_t>(m)];
+    const GhostEdge& from = nth(found.masters, m);
     edges.masters.push_back({.nodes = {table_index(lists.nodes, from.gid[0]), table_index(lists.nodes, from.gid[1])},
                              .body = from.body,
                              .block = from.block,
@@ -203,11 +200,9 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
   }
   for_each_slave(found.pairs, [&](LocalIndex slave, std::span<const CandidatePair> pairs) {
-    const SurfaceEdge& from = build.surface.edges[static_cast<std::size_t>(slave)];
-    const auto contact_node = [&](LocalIndex node) {
-      return table_index(lists.nodes, build.surface.gid[static_cast<std::size_t>(node)]);
-    };
-    const auto on_rim = [&](LocalIndex node) { return build.surface.on_rim[static_cast<std::size_t>(node)]; };
+    const SurfaceEdge& from = nth(build.surface.edges, slave);
+    const auto contact_node = [&](LocalIndex node) { return table_index(lists.nodes, nth(build.surface.gid, node)); };
+    const auto on_rim = [&](LocalIndex node) { return nth(build.surface.on_rim, node); };
     edges.slaves.push_back({.nodes = {contact_node(from.nodes[0]), contact_node(from.nodes[1])},
                             .body = from.body,
                             .block = from.block,
@@ -217,7 +212,7 @@ void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& li
                             .end_on_rim = {on_rim(from.nodes[0]), on_rim(from.nodes[1])},
                             .end_at_side = from.end_at_side});
     facets.insert(facets.end(), from.facets.begin(), from.facets.end());
-    for (const CandidatePair& pair : pairs) edges.near.values.push_back(place[static_cast<std::size_t>(pair.master)]);
+    for (const CandidatePair& pair : pairs) edges.near.values.push_back(nth(place, pair.master));
     edges.near.close_row();
   });
   lists.most_rows += found.pairs.size();
@@ -244,7 +239,7 @@ void link_facets(const ListBuild& build, const FacePairs& found, const std::vect
   std::vector<std::vector<LocalIndex>> needs(static_cast<std::size_t>(build.ranks.size()));
   for (const Place& place : leaves) {
     source.push_back({place.rank, place.index});
-    needs[static_cast<std::size_t>(place.rank)].push_back(place.index);
+    nth(needs, place.rank).push_back(place.index);
   }
   each_slave([&](std::span<const Place> facets) {
     for (const Place& facet : facets) lists.candidates.slave_facets.values.push_back(leaf_of(facet));
@@ -259,8 +254,7 @@ void link_facets(const ListBuild& build, const FacePairs& found, const std::vect
     for (ContactEdge& side : *sides)
       for (LocalIndex& facet : side.facets) facet = leaf_of(*next++);
   lists.facet_needed.assign(build.surface.faces.size(), 0);
-  for (const LocalIndex face : comm::exchange(build.ranks, needs).values)
-    lists.facet_needed[static_cast<std::size_t>(face)] = 1;
+  for (const LocalIndex face : comm::exchange(build.ranks, needs).values) nth(lists.facet_needed, face) = 1;
   lists.facet_count = static_cast<LocalIndex>(source.size());
   lists.any_facets = build.ranks.any(!source.empty());
   if (lists.any_facets)
@@ -279,13 +273,13 @@ std::vector<NeededNode> needed_nodes(const ListBuild& build, const FacePairs& fa
   std::vector<LocalIndex> used;
   masters_in_use(faces, used);
   for (const LocalIndex m : used) {
-    const GhostFace& master = faces.masters[static_cast<std::size_t>(m)];
+    const GhostFace& master = nth(faces.masters, m);
     for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
       needed.push_back({master.gid[i], master.home[i]});
   }
   for (const CandidatePair& pair : edges.pairs) {
-    for (const LocalIndex node : build.surface.edges[static_cast<std::size_t>(pair.slave)].nodes) need(node);
-    const GhostEdge& master = edges.masters[static_cast<std::size_t>(pair.master)];
+    for (const LocalIndex node : nth(build.surface.edges, pair.slave).nodes) need(node);
+    const GhostEdge& master = nth(edges.masters, pair.master);
     for (std::size_t i = 0; i < 2; ++i) needed.push_back({master.gid[i], master.home[i]});
   }
   for (const WallCandidate& candidate : walls) need(candidate.node);
@@ -313,7 +307,7 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   for (const WallCandidate& candidate : lists.wall_candidates)
     if (settings.wall_facets) wall_nodes.push_back(candidate.node);
   for (WallCandidate& candidate : lists.wall_candidates)
-    candidate.node = table_index(lists.nodes, surface.gid[static_cast<std::size_t>(candidate.node)]);
+    candidate.node = table_index(lists.nodes, nth(surface.gid, candidate.node));
   std::vector<Place> edge_facets;
   fill_faces(build, faces, lists);
   fill_passes(build, faces, lists.candidates);

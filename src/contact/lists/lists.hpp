@@ -53,7 +53,7 @@ struct ListSettings {
   SearchMethod search = SearchMethod::automatic;
 
   [[nodiscard]] double thickness_of(std::int32_t block) const {
-    return static_cast<std::size_t>(block) < thickness.size() ? thickness[static_cast<std::size_t>(block)] : 0.0;
+    return static_cast<std::size_t>(block) < thickness.size() ? nth(thickness, block) : 0.0;
   }
   /// The largest clearance between a node and a face.
   [[nodiscard]] double most_clearance() const { return thickness.empty() ? 0.0 : std::ranges::max(thickness); }

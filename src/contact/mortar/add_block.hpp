@@ -12,7 +12,7 @@ void add_block(NodeBlocks<Block>& blocks, LocalIndex node, const Block& block) {
   const std::vector<LocalIndex>& nodes = blocks.nodes.values;
   const auto at = std::find(nodes.begin() + blocks.nodes.offsets.back(), nodes.end(), node);
   if (at != nodes.end()) {
-    blocks.blocks[static_cast<std::size_t>(at - nodes.begin())] += block;
+    nth(blocks.blocks, at - nodes.begin()) += block;
     return;
   }
   blocks.nodes.values.push_back(node);
@@ -29,8 +29,7 @@ inline void add_row(NodeBlocks<Mat3>& blocks, const Mat3& left, const NodeBlocks
 inline Vec3 weighted_sum(const NodeBlocks<double>& weights, LocalIndex row, std::span<const Vec3> x) {
   const std::span<const LocalIndex> nodes = weights.nodes.row(row);
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    sum += weights.row(row)[k] * (x[static_cast<std::size_t>(nodes[k])] - x[static_cast<std::size_t>(nodes[0])]);
+  for (std::size_t k = 0; k < nodes.size(); ++k) sum += weights.row(row)[k] * (nth(x, nodes[k]) - nth(x, nodes[0]));
   return sum;
 }
 

@@ -38,8 +38,8 @@ class Colouring {
         up_(edge.size(), 0.0),
         role_(edge.size(), FacetRole::none) {
     for (const FacingPair& pair : pairs) {
-      up_[static_cast<std::size_t>(pair.slave)] += pair.up;
-      up_[static_cast<std::size_t>(pair.master)] -= pair.up;
+      nth(up_, pair.slave) += pair.up;
+      nth(up_, pair.master) -= pair.up;
     }
   }
 
@@ -66,7 +66,7 @@ class Colouring {
   [[nodiscard]] std::vector<FacetRole> roles() && { return std::move(role_); }
 
  private:
-  FacetRole& at(LocalIndex facet) { return role_[static_cast<std::size_t>(facet)]; }
+  FacetRole& at(LocalIndex facet) { return nth(role_, facet); }
   void give(LocalIndex facet, FacetRole role, std::vector<LocalIndex>& front) {
     if (at(facet) != FacetRole::none) return;
     at(facet) = role;
@@ -83,9 +83,9 @@ class Colouring {
     double up = 0;
     for (const LocalIndex facet : component) {
       const std::size_t side = at(facet) == FacetRole::slave ? 0 : 1;
-      edges[side] += edge_[static_cast<std::size_t>(facet)];
+      edges[side] += nth(edge_, facet);
       ++count[side];
-      up += side == 0 ? up_[static_cast<std::size_t>(facet)] : -up_[static_cast<std::size_t>(facet)];
+      up += side == 0 ? nth(up_, facet) : -nth(up_, facet);
     }
     if (edges[1] * count[0] < clearly * edges[0] * count[1]) return true;
     return up < 0 && !(edges[0] * count[1] < clearly * edges[1] * count[0]);
@@ -110,7 +110,7 @@ std::vector<FacetRole> roles_of_facets(std::vector<FacingPair> pairs, std::span<
 FacingPair undecided(std::span<const FacingPair> pairs, std::span<const FacetRole> roles) {
   FacingPair first;
   for (const FacingPair& pair : pairs) {
-    const bool same = roles[static_cast<std::size_t>(pair.slave)] == roles[static_cast<std::size_t>(pair.master)];
+    const bool same = nth(roles, pair.slave) == nth(roles, pair.master);
     if (same && (first.slave == no_index || pair < first)) first = pair;
   }
   return first;

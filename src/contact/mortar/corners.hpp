@@ -15,7 +15,7 @@ struct CornersOf {
 
   CornersOf(const FacetNodes& nodes, std::span<const Vec3> positions) {
     for (const LocalIndex node : nodes)
-      if (node != no_index) x[count++] = positions[static_cast<std::size_t>(node)];
+      if (node != no_index) x[count++] = nth(positions, node);
   }
   [[nodiscard]] FacetCorners span() const { return {x.data(), count}; }
 };

@@ -33,7 +33,7 @@ void FacetRows::find_segments(const MortarSurfaces& surfaces, std::size_t facet,
   master_corners_.clear();
   SegmentIntegrals integrals;
   for (const LocalIndex master : candidates) {
-    const CornersOf corners(surfaces.master[static_cast<std::size_t>(master)], x);
+    const CornersOf corners(nth(surfaces.master, master), x);
     const std::size_t next = integrals_.size();
     if (with_slopes && segment_slopes_.size() == next) segment_slopes_.emplace_back();
     if (!integrate_segment(plane_, corners.span(), surfaces.capture, integrals,
@@ -53,13 +53,13 @@ void FacetRows::number_nodes(const MortarSurfaces& surfaces, const FacetNodes& s
   local_.assign(masters_.size(), {});
   for (std::size_t s = 0; s < masters_.size(); ++s)
     for (std::size_t c = 0; c < master_corners_[s]; ++c) {
-      const LocalIndex node = surfaces.master[static_cast<std::size_t>(masters_[s])][c];
+      const LocalIndex node = nth(surfaces.master, masters_[s])[c];
       const auto at = std::find(nodes_.begin() + static_cast<std::ptrdiff_t>(corners_), nodes_.end(), node);
       local_[s][c] = static_cast<std::size_t>(at - nodes_.begin());
       if (at == nodes_.end()) nodes_.push_back(node);
     }
   positions_.clear();
-  for (const LocalIndex node : nodes_) positions_.push_back(x[static_cast<std::size_t>(node)] - plane_.centre);
+  for (const LocalIndex node : nodes_) positions_.push_back(nth(x, node) - plane_.centre);
 }
 
 void FacetRows::fill_weights() {
@@ -196,7 +196,7 @@ void FacetRows::fixed_slopes(std::size_t j, std::span<const Vec3> places, std::v
   slopes.assign(n, Mat3::Zero());
   for (std::size_t k = 0; k < n; ++k) {
     const std::span<const double> of_weight = slope(j, k);
-    const Vec3 place = places[static_cast<std::size_t>(nodes_[k])] - plane_.centre;  // weights have sum zero
+    const Vec3 place = nth(places, nodes_[k]) - plane_.centre;  // weights have sum zero
     for (std::size_t l = 0; l < n; ++l)
       slopes[l] += place * Vec3(of_weight[3 * l], of_weight[3 * l + 1], of_weight[3 * l + 2]).transpose();
   }

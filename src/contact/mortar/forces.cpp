@@ -11,8 +11,7 @@ void add_forces(const MortarRows& rows, std::span<const Vec3> tractions, std::sp
     const auto index = static_cast<LocalIndex>(row);
     const std::span<const LocalIndex> nodes = rows.weights.nodes.row(index);
     const std::span<const double> weights = rows.weights.row(index);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      forces[static_cast<std::size_t>(nodes[k])] += weights[k] * tractions[row];
+    for (std::size_t k = 0; k < nodes.size(); ++k) nth(forces, nodes[k]) += weights[k] * tractions[row];
   }
 }
 

@@ -20,24 +20,23 @@ void gather(const std::vector<Entry<Block>>& entries, std::size_t rows, MortarSc
   order.resize(entries.size());
   std::vector<LocalIndex>& next = scratch.next_of_row;
   next.assign(first.begin(), first.end() - 1);
-  for (std::size_t e = 0; e < entries.size(); ++e)
-    order[static_cast<std::size_t>(next[static_cast<std::size_t>(entries[e].row)]++)] = static_cast<LocalIndex>(e);
+  for (std::size_t e = 0; e < entries.size(); ++e) nth(order, nth(next, entries[e].row)++) = static_cast<LocalIndex>(e);
   out.clear();
   for (std::size_t row = 0; row < rows; ++row) {
     for (LocalIndex k = first[row]; k < first[row + 1]; ++k) {
-      const Entry<Block>& entry = entries[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
-      LocalIndex& at = place[static_cast<std::size_t>(entry.node)];
+      const Entry<Block>& entry = nth(entries, nth(order, k));
+      LocalIndex& at = nth(place, entry.node);
       if (at < out.nodes.offsets.back()) {  // not yet in this row
         at = static_cast<LocalIndex>(out.blocks.size());
         out.nodes.values.push_back(entry.node);
         out.blocks.push_back(entry.block);
       } else {
-        out.blocks[static_cast<std::size_t>(at)] += entry.block;
+        nth(out.blocks, at) += entry.block;
       }
     }
     out.nodes.close_row();
   }
-  for (const LocalIndex node : out.nodes.values) place[static_cast<std::size_t>(node)] = no_index;
+  for (const LocalIndex node : out.nodes.values) nth(place, node) = no_index;
 }
 
 /// Entries of one facet's rows; weights, and derivatives of gap vectors on request.
@@ -46,8 +45,8 @@ void take_facet(const FacetRows& facet, const FacetNodes& row_of_corner, MortarS
   for (std::size_t j = 0; j < facet.corners(); ++j) {
     const LocalIndex row = row_of_corner[j];
     if (row == no_index || static_cast<std::size_t>(row) >= rows.covered.size()) continue;
-    rows.covered[static_cast<std::size_t>(row)] += facet.share(j);
-    rows.gap_vectors[static_cast<std::size_t>(row)] += facet.gap_vector(j);
+    nth(rows.covered, row) += facet.share(j);
+    nth(rows.gap_vectors, row) += facet.gap_vector(j);
     if (with_slopes) facet.gap_slopes(j, scratch.gap_slopes);
     if (!fixed.empty()) facet.fixed_slopes(j, fixed, scratch.fixed_slopes);
     for (std::size_t k = 0; k < facet.nodes().size(); ++k) {
@@ -76,7 +75,7 @@ struct CornerTractions {
   CornerTractions(const FacetNodes& row_of_corner, std::size_t corners, std::span<const Vec3> tractions) {
     for (std::size_t j = 0; j < corners && !tractions.empty(); ++j) {
       const LocalIndex row = row_of_corner[j];
-      if (row != no_index) of[j] = tractions[static_cast<std::size_t>(row)];
+      if (row != no_index) of[j] = nth(tractions, row);
       loaded = loaded || !of[j].isZero(0);
     }
   }

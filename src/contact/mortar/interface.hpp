@@ -95,7 +95,7 @@ struct NodeBlocks {
     blocks.clear();
   }
   [[nodiscard]] std::span<const Block> row(LocalIndex i) const {
-    const auto begin = static_cast<std::size_t>(nodes.offsets[static_cast<std::size_t>(i)]);
+    const auto begin = static_cast<std::size_t>(nth(nodes.offsets, i));
     return {blocks.data() + begin, nodes.row(i).size()};
   }
 };

@@ -59,8 +59,7 @@ void add_lever_forces(const NodeBlocks<Vec3>& levers, std::span<const double> z,
     if (z[row] == 0) continue;
     const auto index = static_cast<LocalIndex>(row);
     const std::span<const LocalIndex> nodes = levers.nodes.row(index);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      forces[static_cast<std::size_t>(nodes[k])] += z[row] * levers.row(index)[k];
+    for (std::size_t k = 0; k < nodes.size(); ++k) nth(forces, nodes[k]) += z[row] * levers.row(index)[k];
   }
 }
 

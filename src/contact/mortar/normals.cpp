@@ -58,7 +58,7 @@ class Around {
       : surfaces_(surfaces), facets_(facets), x_(x) {
     double covered = 0;
     for (const LocalIndex facet : facets)
-      if (coverage != nullptr) covered += coverage->area[static_cast<std::size_t>(facet)];
+      if (coverage != nullptr) covered += nth(coverage->area, facet);
     if (covered > 0) coverage_ = coverage;
   }
 
@@ -92,12 +92,10 @@ class Around {
   }
 
  private:
-  [[nodiscard]] const FacetNodes& nodes(LocalIndex facet) const {
-    return surfaces_.slave[static_cast<std::size_t>(facet)];
-  }
+  [[nodiscard]] const FacetNodes& nodes(LocalIndex facet) const { return nth(surfaces_.slave, facet); }
   [[nodiscard]] double weight(LocalIndex facet, const FacetNormal& of_facet) const {
     if (coverage_ == nullptr) return 1;
-    return of_facet.area > 0 ? coverage_->area[static_cast<std::size_t>(facet)] / of_facet.area : 0.0;
+    return of_facet.area > 0 ? nth(coverage_->area, facet) / of_facet.area : 0.0;
   }
 
   const MortarSurfaces& surfaces_;

@@ -65,7 +65,7 @@ bool is_ridge(std::span<const FacetNodes> facets, const std::vector<Vec3>& norma
               const EdgeSide& a, const EdgeSide& b) {
   if (!is_sharp(normals[a.facet], normals[b.facet])) return false;
   const FacetNodes& nodes = facets[a.facet];
-  const Vec3 along = x[static_cast<std::size_t>(nodes[a.second])] - x[static_cast<std::size_t>(nodes[a.first])];
+  const Vec3 along = nth(x, nodes[a.second]) - nth(x, nodes[a.first]);
   return normals[a.facet].cross(normals[b.facet]).dot(along) > 0;
 }
 
@@ -154,8 +154,7 @@ NodePatches patches_of(std::span<const PatchNumbers> facets) {
     const std::size_t corners = cells::corner_count(of_corner);
     for (std::size_t k = 0; k < corners; ++k)
       if ((patches.rims[f] >> k & 1) != 0)
-        for (const std::size_t end : {k, (k + 1) % corners})
-          patches.at_rim[static_cast<std::size_t>(of_corner[end])] = 1;
+        for (const std::size_t end : {k, (k + 1) % corners}) nth(patches.at_rim, of_corner[end]) = 1;
   }
   return patches;
 }

@@ -67,7 +67,7 @@ class Search {
   LocalIndex operator()(std::size_t row, const Vec3& outward) {
     LocalIndex nearest = no_index;
     double least = std::numeric_limits<double>::infinity();
-    const Vec3& x = x_[static_cast<std::size_t>(surfaces_.rows[row])];
+    const Vec3& x = nth(x_, surfaces_.rows[row]);
     const std::span<const LocalIndex> around = topology_.facets_around.row(static_cast<LocalIndex>(row));
     masters_.clear();
     for (const LocalIndex facet : around)
@@ -75,7 +75,7 @@ class Search {
     sort_unique(masters_);
     SlavePlane plane;
     for (const LocalIndex master : masters_) {
-      const CornersOf corners(surfaces_.master[static_cast<std::size_t>(master)], x_);
+      const CornersOf corners(nth(surfaces_.master, master), x_);
       if (!make_slave_plane(corners.span(), plane) || !(plane.normal.dot(outward) < opposing_normals) ||
           !crosses(corners.span(), x, outward))
         continue;
@@ -151,7 +151,7 @@ class PointRow {
  public:
   PointRow(const MortarSurfaces& surfaces, const PointNode& point, double area, LocalIndex master,
            std::span<const Vec3> x)
-      : facet_(surfaces.master[static_cast<std::size_t>(master)]),
+      : facet_(nth(surfaces.master, master)),
         corners_(facet_, x),
         area_(area),
         at_(corners_.span(), point.x, point.outward),
@@ -186,10 +186,9 @@ class PointRow {
   }
   /// d(sum_L w_AL y_L)/dx at places y that do not move; with_x: they are x itself.
   void add_slopes(std::span<const Vec3> y, bool with_x, NodeBlocks<Mat3>& slopes) const {
-    const Vec3& origin = y[static_cast<std::size_t>(nodes_[0])];
+    const Vec3& origin = nth(y, nodes_[0]);
     Mat3 carried = Mat3::Zero();
-    for (std::size_t k = 1; k < weighted(); ++k)
-      carried += (y[static_cast<std::size_t>(nodes_[k])] - origin) * weight_slope(k).transpose();
+    for (std::size_t k = 1; k < weighted(); ++k) carried += (nth(y, nodes_[k]) - origin) * weight_slope(k).transpose();
     for (std::size_t l = 0; l < nodes_.size(); ++l) {
       const double own = with_x && l < weighted() ? weight(l) : 0.0;
       add_block(slopes, nodes_[l], Mat3(carried * motion_[l] + own * Mat3::Identity()));
@@ -259,7 +258,7 @@ void evaluate(const MortarSurfaces& surfaces, const MortarTopology& topology, co
   }
   Search search(surfaces, topology, candidates, x);
   for (std::size_t row = 0; row < count; ++row) {
-    PointNode node{surfaces.rows[row], x[static_cast<std::size_t>(surfaces.rows[row])], -rows.normals[row]};
+    PointNode node{surfaces.rows[row], nth(x, surfaces.rows[row]), -rows.normals[row]};
     if (slopes != nullptr) {
       node.turned_by = turns.nodes.row(static_cast<LocalIndex>(row));
       node.turns = turns.row(static_cast<LocalIndex>(row));

@@ -106,8 +106,7 @@ template <class Number>
 std::array<PlanePoint<Number>, 4> pick(std::span<const PlanePoint<Number>> corners,
                                        const geometry::ConvexPiece& piece) {
   std::array<PlanePoint<Number>, 4> out{};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(piece.corners); ++i)
-    out[i] = corners[static_cast<std::size_t>(piece.corner[i])];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(piece.corners); ++i) out[i] = nth(corners, piece.corner[i]);
   return out;
 }
 
@@ -128,8 +127,7 @@ class Integration {
   void run(double least_area) {
     const geometry::ConvexPieces slaves = geometry::convex_pieces(slave_), masters = geometry::convex_pieces(master_);
     for (int s = 0; s < slaves.count; ++s)
-      for (int m = 0; m < masters.count; ++m)
-        add(slaves.piece[static_cast<std::size_t>(s)], masters.piece[static_cast<std::size_t>(m)], least_area);
+      for (int m = 0; m < masters.count; ++m) add(nth(slaves.piece, s), nth(masters.piece, m), least_area);
   }
 
   double area = 0;
@@ -161,7 +159,7 @@ class Integration {
     const Fan<Sloped> sloped(corner, corners, third);
     for (int p = 0; p < slope_packs; ++p)
       for (std::size_t i = 0; i < sloped.count; ++i)
-        add_product_slopes(sloped.triangle[i], functions[i], p, slopes[static_cast<std::size_t>(p)]);
+        add_product_slopes(sloped.triangle[i], functions[i], p, nth(slopes, p));
   }
 
   Polygon<double> slave_, master_;
@@ -219,8 +217,7 @@ class ToSpace {
                                                  std::size_t product) const {
     double in_plane[plane_directions];
     for (int p = 0; p < slope_packs; ++p)
-      for (int lane = 0; lane < pack_width; ++lane)
-        in_plane[p * pack_width + lane] = slopes[static_cast<std::size_t>(p)].of[product][lane];
+      for (int lane = 0; lane < pack_width; ++lane) in_plane[p * pack_width + lane] = nth(slopes, p).of[product][lane];
     SegmentSlopes::Slopes out{};
     double turn_x = 0, turn_y = 0;
     const auto place = [&](std::size_t to, double height, const double* slope) {

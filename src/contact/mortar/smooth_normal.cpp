@@ -30,7 +30,7 @@ SmoothNormal::SmoothNormal(const MortarSurfaces& surfaces, LocalIndex master, co
   for (std::size_t c = 0; c < patches.size() && patches[c] != no_index; ++c) {
     Vec3 of_patch = Vec3::Zero();
     for (const LocalIndex other : surfaces.master_patches.facets.row(patches[c]))
-      if (const CornersOf corners(surfaces.master[static_cast<std::size_t>(other)], x); has_area(corners.span()))
+      if (const CornersOf corners(nth(surfaces.master, other), x); has_area(corners.span()))
         of_patch += NormalChange(corners.span()).normal();
     size_[c] = of_patch.norm();
     at_corner_[c] = of_patch / size_[c];
@@ -42,11 +42,11 @@ SmoothNormal::SmoothNormal(const MortarSurfaces& surfaces, LocalIndex master, co
 }
 
 void SmoothNormal::add_slopes(NodeBlocks<Mat3>& slopes) const {
-  const FacetNodes& patches = surfaces_.master_patches.of_corner[static_cast<std::size_t>(master_)];
+  const FacetNodes& patches = nth(surfaces_.master_patches.of_corner, master_);
   for (std::size_t c = 0; c < patches.size() && patches[c] != no_index; ++c) {
     const Mat3 left = weights_[c] * across_ * unit_slope(at_corner_[c], size_[c]);
     for (const LocalIndex other : surfaces_.master_patches.facets.row(patches[c])) {
-      const FacetNodes& nodes = surfaces_.master[static_cast<std::size_t>(other)];
+      const FacetNodes& nodes = nth(surfaces_.master, other);
       const CornersOf corners(nodes, x_);
       if (!has_area(corners.span())) continue;
       const NormalChange normal(corners.span());

@@ -25,7 +25,7 @@ MasterPlace place_below(const MortarSurfaces& surfaces, std::span<const LocalInd
   MasterPlace below;
   for (const LocalIndex facet : facets)
     for (const LocalIndex master : candidates.row(facet)) {
-      const FacetNodes& nodes = surfaces.master[static_cast<std::size_t>(master)];
+      const FacetNodes& nodes = nth(surfaces.master, master);
       const CornersOf corners(nodes, x);
       const std::optional<geometry::FacePoint> point = geometry::closest_point(place, corners.span());
       if (!point || !((point->point - place).norm() < nearest)) continue;
@@ -44,14 +44,14 @@ void find_places_below(const MortarSurfaces& surfaces, const MortarTopology& top
   for (std::size_t row = 0; row < surfaces.rows.size(); ++row)
     if (start.covered[row] > 0)
       start.below[row] = place_below(surfaces, topology.facets_around.row(static_cast<LocalIndex>(row)), candidates, x,
-                                     x[static_cast<std::size_t>(surfaces.rows[row])]);
+                                     nth(x, surfaces.rows[row]));
 }
 
 Mat3 freedom_of(const MasterPlace& place, std::span<const Mat3> free) {
   if (place.nodes[0] == no_index) return Mat3::Identity();
   Mat3 sum = Mat3::Zero();
   for (std::size_t c = 0; c < place.nodes.size(); ++c)
-    if (has_share(place.weights[c])) sum += free[static_cast<std::size_t>(place.nodes[c])];
+    if (has_share(place.weights[c])) sum += nth(free, place.nodes[c]);
   return sum;
 }
 
@@ -79,7 +79,7 @@ std::vector<Mat3> tied_directions(const MortarSurfaces& surfaces, const TieStart
 Vec3 offset_from_below(const MasterPlace& place, const Vec3& of_slave, std::span<const Vec3> of_nodes) {
   Vec3 offset = of_slave;
   for (std::size_t c = 0; c < place.nodes.size(); ++c)
-    if (place.nodes[c] != no_index) offset -= place.weights[c] * of_nodes[static_cast<std::size_t>(place.nodes[c])];
+    if (place.nodes[c] != no_index) offset -= place.weights[c] * nth(of_nodes, place.nodes[c]);
   return offset;
 }
 
@@ -164,9 +164,9 @@ void add_tie_forces(const TieStart& start, const NodeBlocks<Mat3>& levers, std::
     const auto index = static_cast<LocalIndex>(row);
     const std::span<const LocalIndex> nodes = start.weights.nodes.row(index), turned = levers.nodes.row(index);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      forces[static_cast<std::size_t>(nodes[k])] += start.weights.row(index)[k] * tractions[row];
+      nth(forces, nodes[k]) += start.weights.row(index)[k] * tractions[row];
     for (std::size_t k = 0; k < turned.size(); ++k)
-      forces[static_cast<std::size_t>(turned[k])] += levers.row(index)[k].transpose() * tractions[row];
+      nth(forces, turned[k]) += levers.row(index)[k].transpose() * tractions[row];
   }
 }
 
@@ -181,7 +181,7 @@ void tie_patches(const TieStart& start, const MortarSurfaces& surfaces, const Mo
     Vec3 q = Vec3::Zero();
     for (std::size_t k = 0; k < corners; ++k)
       if (const LocalIndex row = topology.row_of_corner[facet][k]; row != no_index)
-        q += start.heights[facet][k] * tractions[static_cast<std::size_t>(row)];
+        q += start.heights[facet][k] * nth(tractions, row);
     if (q.isZero(0)) continue;
     const NormalChange change = change_of(nodes, x_before, x);
     Patch& patch = patches.next(static_cast<LocalIndex>(facet));

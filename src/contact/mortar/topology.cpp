@@ -29,12 +29,12 @@ std::vector<FacetNodes> rows_of_nodes(const MortarSurfaces& surfaces, std::size_
   std::vector<LocalIndex> row_of_node(nodes, no_index);
   LocalIndex next = 0;
   for (const std::vector<LocalIndex>* of : {&surfaces.rows, &surfaces.rows_elsewhere})
-    for (const LocalIndex node : *of) row_of_node[static_cast<std::size_t>(node)] = next++;
+    for (const LocalIndex node : *of) nth(row_of_node, node) = next++;
   std::vector<FacetNodes> of_corner;
   for (const FacetNodes& facet : surfaces.slave) {
     FacetNodes& rows = of_corner.emplace_back();
     for (std::size_t a = 0; a < facet.size(); ++a)
-      rows[a] = facet[a] == no_index ? no_index : row_of_node[static_cast<std::size_t>(facet[a])];
+      rows[a] = facet[a] == no_index ? no_index : nth(row_of_node, facet[a]);
   }
   return of_corner;
 }
@@ -59,7 +59,7 @@ MortarTopology make_topology(const MortarSurfaces& surfaces, std::span<const Vec
       const LocalIndex row = topology.row_of_corner[facet][a];
       if (row == no_index || static_cast<std::size_t>(row) >= rows) continue;
       rows_of_facets.values.push_back(row);
-      share[static_cast<std::size_t>(row)] += whole[a];
+      nth(share, row) += whole[a];
     }
     rows_of_facets.close_row();
   }

@@ -11,7 +11,7 @@ using geometry::Box;
 
 PlaceRange places_between(const std::vector<LocalIndex>& index, std::span<const Vec3> points, int axis, double low,
                           double high) {
-  const auto coordinate = [&](LocalIndex p) { return points[static_cast<std::size_t>(p)][axis]; };
+  const auto coordinate = [&](LocalIndex p) { return nth(points, p)[axis]; };
   const auto first =
       std::lower_bound(index.begin(), index.end(), low, [&](LocalIndex p, double x) { return coordinate(p) < x; });
   const auto last =
@@ -26,23 +26,18 @@ void sort_along_axes(std::span<const Vec3> points, BinarySort& sorted) {
   for (std::size_t p = 0; p < points.size(); ++p)
     if (points[p].allFinite()) finite.push_back(static_cast<LocalIndex>(p));
   for (int a = 0; a < 3; ++a) {
-    std::vector<LocalIndex>&index = sorted.index[static_cast<std::size_t>(a)],
-    &rank = sorted.rank[static_cast<std::size_t>(a)];
+    std::vector<LocalIndex>&index = nth(sorted.index, a), &rank = nth(sorted.rank, a);
     index = finite;
-    std::stable_sort(index.begin(), index.end(), [&](LocalIndex p, LocalIndex q) {
-      return points[static_cast<std::size_t>(p)][a] < points[static_cast<std::size_t>(q)][a];
-    });
+    std::stable_sort(index.begin(), index.end(),
+                     [&](LocalIndex p, LocalIndex q) { return nth(points, p)[a] < nth(points, q)[a]; });
     rank.assign(points.size(), no_index);
-    for (std::size_t place = 0; place < index.size(); ++place)
-      rank[static_cast<std::size_t>(index[place])] = static_cast<LocalIndex>(place);
+    for (std::size_t place = 0; place < index.size(); ++place) nth(rank, index[place]) = static_cast<LocalIndex>(place);
   }
 }
 
 std::array<PlaceRange, 3> places_between(const BinarySort& sorted, std::span<const Vec3> points, const Box& box) {
   std::array<PlaceRange, 3> range;
-  for (int a = 0; a < 3; ++a)
-    range[static_cast<std::size_t>(a)] =
-        places_between(sorted.index[static_cast<std::size_t>(a)], points, a, box.low[a], box.high[a]);
+  for (int a = 0; a < 3; ++a) nth(range, a) = places_between(nth(sorted.index, a), points, a, box.low[a], box.high[a]);
   return range;
 }
 
@@ -54,7 +49,7 @@ void append_points_in_box(const BinarySort& sorted, std::span<const Vec3> points
     if (range[a].size() < range[shortest].size()) shortest = a;
   const std::size_t second = (shortest + 1) % 3, third = (shortest + 2) % 3;
   for (LocalIndex place = range[shortest].first; place < range[shortest].last; ++place) {
-    const LocalIndex point = sorted.index[shortest][static_cast<std::size_t>(place)];
+    const LocalIndex point = nth(sorted.index[shortest], place);
     const auto p = static_cast<std::size_t>(point);
     if (range[second].holds(sorted.rank[second][p]) && range[third].holds(sorted.rank[third][p]))
       found.push_back(point);

@@ -27,15 +27,15 @@ void for_each_overlap(std::span<const Box> first, std::span<const Box> second, O
     for (const Box& box : second) boxes.push_back(geometry::grown(box, half));
     std::vector<Vec3> middles;
     for (const LocalIndex i : members) {
-      const Box& box = first[static_cast<std::size_t>(i)];
+      const Box& box = nth(first, i);
       middles.push_back(0.5 * (box.low + box.high));
     }
     Ragged<LocalIndex> found;
     find_pairs(boxes, middles, scratch[exponent], found);
     for (LocalIndex m = 0; m < found.rows(); ++m)
       for (const LocalIndex k : std::as_const(found).row(m)) {
-        const LocalIndex i = members[static_cast<std::size_t>(m)];
-        if (geometry::overlaps(first[static_cast<std::size_t>(i)], second[static_cast<std::size_t>(k)])) visit(i, k);
+        const LocalIndex i = nth(members, m);
+        if (geometry::overlaps(nth(first, i), nth(second, k))) visit(i, k);
       }
   }
 }

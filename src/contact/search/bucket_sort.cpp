@@ -42,7 +42,7 @@ std::size_t BucketGrid::bucket_count() const {
 }
 
 LocalIndex BucketGrid::slice(double coordinate, int axis) const {
-  const auto last = static_cast<double>(slices[static_cast<std::size_t>(axis)] - 1);
+  const auto last = static_cast<double>(nth(slices, axis) - 1);
   const double slice = (coordinate - low[axis]) / size;
   return static_cast<LocalIndex>(std::max(0.0, std::min(last, slice)));  // a NaN falls into the last
 }
@@ -54,7 +54,7 @@ BucketGrid bucket_grid(std::span<const Vec3> points, double size) {
   if (!(extent.low.array() <= extent.high.array()).all()) return grid;
   grid.low = extent.low;
   for (int a = 0; a < 3; ++a)
-    grid.slices[static_cast<std::size_t>(a)] = static_cast<LocalIndex>((extent.high[a] - extent.low[a]) / size) + 1;
+    nth(grid.slices, a) = static_cast<LocalIndex>((extent.high[a] - extent.low[a]) / size) + 1;
   return grid;
 }
 
@@ -79,7 +79,7 @@ void sort_into_buckets(std::span<const Vec3> points, const BucketGrid& grid, Buc
   for (std::size_t i = 0; i < count; ++i) {
     const LocalIndex x = grid.slice(points[i][0], 0), y = grid.slice(points[i][1], 1), z = grid.slice(points[i][2], 2);
     sorted.lbox[i] = (z * grid.slices[1] + y) * grid.slices[0] + x;
-    ++sorted.nbox[static_cast<std::size_t>(sorted.lbox[i])];
+    ++nth(sorted.nbox, sorted.lbox[i]);
   }
   LocalIndex place = 0;
   for (std::size_t j = 0; j < sorted.nbox.size(); ++j) {
@@ -90,15 +90,15 @@ void sort_into_buckets(std::span<const Vec3> points, const BucketGrid& grid, Buc
   for (std::size_t i = 0; i < count; ++i) {
     const auto bucket = static_cast<std::size_t>(sorted.lbox[i]);
     const LocalIndex place_of_point = sorted.npoint[bucket] + sorted.nbox[bucket]++;
-    sorted.ndsort[static_cast<std::size_t>(place_of_point)] = static_cast<LocalIndex>(i);
+    nth(sorted.ndsort, place_of_point) = static_cast<LocalIndex>(i);
   }
 }
 
 BucketRange buckets_of(const BucketGrid& grid, const Box& box) {
   BucketRange range;
   for (int a = 0; a < 3; ++a) {
-    range.first[static_cast<std::size_t>(a)] = grid.slice(box.low[a], a);
-    range.last[static_cast<std::size_t>(a)] = grid.slice(box.high[a], a);
+    nth(range.first, a) = grid.slice(box.low[a], a);
+    nth(range.last, a) = grid.slice(box.high[a], a);
   }
   return range;
 }
@@ -124,7 +124,7 @@ void find_pairs_in_buckets(const BucketSort& sorted, std::span<const Box> boxes,
     candidates.clear();
     if ((box.low.array() <= box.high.array()).all()) append_candidates(sorted, box, candidates);
     for (const LocalIndex p : candidates) {
-      const Vec3& point = points[static_cast<std::size_t>(p)];
+      const Vec3& point = nth(points, p);
       if (geometry::contains(box, point) && point.allFinite()) by_box.values.push_back(p);
     }
     by_box.close_row();

@@ -38,7 +38,7 @@ void add_nodes(FacetTree<slabs>& tree, Items items, std::span<const FacetNodes> 
   const auto node = tree.link.size();
   const std::size_t first = items.size() / 2;
   if (items.size() == 1) {
-    FacetNodes corners = facets[static_cast<std::size_t>(items[0].facet)];
+    FacetNodes corners = nth(facets, items[0].facet);
     if (corners[3] == no_index) corners[3] = corners[2];
     tree.link.push_back(~items[0].facet);
     tree.corners.push_back(corners);
@@ -55,7 +55,7 @@ Vec3 centre_of(const FacetNodes& corners, std::span<const Vec3> positions) {
   int count = 0;
   for (const LocalIndex corner : corners) {
     if (corner == no_index) continue;
-    sum += positions[static_cast<std::size_t>(corner)];
+    sum += nth(positions, corner);
     ++count;
   }
   return sum / count;
@@ -69,8 +69,7 @@ void order_pairs(LocalIndex slaves, TraversalScratch& scratch, std::vector<Facet
   for (const FacetPair& pair : found) ++end[static_cast<std::size_t>(pair.slave) + 1];
   for (std::size_t s = 1; s < end.size(); ++s) end[s] += end[s - 1];
   pairs.resize(found.size());
-  for (const FacetPair& pair : found)
-    pairs[static_cast<std::size_t>(end[static_cast<std::size_t>(pair.slave)]++)] = pair;
+  for (const FacetPair& pair : found) nth(pairs, nth(end, pair.slave)++) = pair;
   auto first = pairs.begin();
   for (std::size_t s = 0; s + 1 < end.size(); ++s) {
     const auto last = pairs.begin() + end[s];
@@ -116,7 +115,7 @@ void build(FacetTree<slabs>& tree, std::span<const FacetNodes> facets, std::span
 
 template <int slabs>
 void refit(FacetTree<slabs>& tree, std::span<const Vec3> positions, const Enlargement& by) {
-  const auto at = [&](LocalIndex corner) -> const Vec3& { return positions[static_cast<std::size_t>(corner)]; };
+  const auto at = [&](LocalIndex corner) -> const Vec3& { return nth(positions, corner); };
   std::size_t leaf = tree.corners.size();
   for (std::size_t node = tree.link.size(); node-- > 0;) {
     const LocalIndex link = tree.link[node];
@@ -124,7 +123,7 @@ void refit(FacetTree<slabs>& tree, std::span<const Vec3> positions, const Enlarg
       const auto& [a, b, c, d] = tree.corners[--leaf];
       tree.bounds[node] = bounds_of<slabs>(at(a), at(b), at(c), at(d), by);
     } else {
-      tree.bounds[node] = united(tree.bounds[node + 1], tree.bounds[static_cast<std::size_t>(link)]);
+      tree.bounds[node] = united(tree.bounds[node + 1], nth(tree.bounds, link));
     }
   }
 }
@@ -133,7 +132,7 @@ template <int slabs>
 TraversalCounts find_pairs(const FacetTree<slabs>& slave, const FacetTree<slabs>& master, TraversalScratch& scratch,
                            std::vector<FacetPair>& pairs, Descent descent) {
   const auto bounds_in = [](const FacetTree<slabs>& tree, LocalIndex node) -> const SlabBounds<slabs>& {
-    return tree.bounds[static_cast<std::size_t>(node)];
+    return nth(tree.bounds, node);
   };
   const auto descends_slave = [&](LocalIndex s, LocalIndex m) {
     if (slave.is_leaf(s)) return false;

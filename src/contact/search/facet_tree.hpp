@@ -31,9 +31,9 @@ struct FacetTree {
 
   [[nodiscard]] LocalIndex facets() const { return static_cast<LocalIndex>(corners.size()); }
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(link.size()); }
-  [[nodiscard]] bool is_leaf(LocalIndex node) const { return link[static_cast<std::size_t>(node)] < 0; }
-  [[nodiscard]] LocalIndex second_child(LocalIndex node) const { return link[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] LocalIndex facet(LocalIndex leaf) const { return ~link[static_cast<std::size_t>(leaf)]; }
+  [[nodiscard]] bool is_leaf(LocalIndex node) const { return nth(link, node) < 0; }
+  [[nodiscard]] LocalIndex second_child(LocalIndex node) const { return nth(link, node); }
+  [[nodiscard]] LocalIndex facet(LocalIndex leaf) const { return ~nth(link, leaf); }
   [[nodiscard]] std::size_t memory_bytes() const;
 };
 

@@ -74,10 +74,10 @@ geometry::Box pack_block(std::span<const Vec3> points, std::size_t block, PointB
   for (std::size_t i = 0; i < block_size; ++i) {
     const std::size_t place = first + std::min(i, used - 1);
     const std::size_t ahead = std::min(place + 64, blocks.point.size() - 1);
-    const Vec3& later = points[static_cast<std::size_t>(blocks.point[ahead])];
+    const Vec3& later = nth(points, blocks.point[ahead]);
     __builtin_prefetch(&later[0]);
     __builtin_prefetch(&later[2]);
-    const Vec3& point = points[static_cast<std::size_t>(blocks.point[place])];
+    const Vec3& point = nth(points, blocks.point[place]);
     for (int a = 0; a < 3; ++a) axes[a].x[i] = point[a];
   }
   geometry::Box box;

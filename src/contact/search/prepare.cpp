@@ -83,10 +83,10 @@ Box box_of_group(std::span<const Box> boxes, const Box& region, std::span<const 
   Box around;
   const std::size_t end = std::min(order.size(), (group + 1) * box_group);
   for (std::size_t k = group * box_group; k < end; ++k) {
-    const Box& ahead = boxes[static_cast<std::size_t>(order[std::min(k + 2 * box_group, order.size() - 1)])];
+    const Box& ahead = nth(boxes, order[std::min(k + 2 * box_group, order.size() - 1)]);
     __builtin_prefetch(&ahead.low);
     __builtin_prefetch(&ahead.high[2]);
-    const Box& box = boxes[static_cast<std::size_t>(order[k])];
+    const Box& box = nth(boxes, order[k]);
     around.low = around.low.cwiseMin(box.low);
     around.high = around.high.cwiseMax(box.high);
   }

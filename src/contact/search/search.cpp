@@ -29,7 +29,7 @@ struct Group {
       Octet& of_box = bounds[lane].lanes;
       of_box = Octet{none, none, none, none, none, none, none, none};
       if (lane < chosen.size()) {
-        const Box& box = boxes[static_cast<std::size_t>(chosen[lane])];
+        const Box& box = nth(boxes, chosen[lane]);
         for (int a = 0; a < 3; ++a) {
           of_box[a] = box.low[a];
           of_box[a + 3] = box.high[a];
@@ -127,8 +127,7 @@ LaneMask settle(LaneMask ties, std::span<const Vec3> points, const LocalIndex* p
   LaneMask inside = 0;
   for (; ties != 0; ties = static_cast<LaneMask>(ties & (ties - 1))) {
     const int lane = std::countr_zero(ties);
-    if (geometry::contains(box, points[static_cast<std::size_t>(point[lane])]))
-      inside = static_cast<LaneMask>(inside | 1 << lane);
+    if (geometry::contains(box, nth(points, point[lane]))) inside = static_cast<LaneMask>(inside | 1 << lane);
   }
   return inside;
 }
@@ -183,8 +182,8 @@ class Pass {
       end = write_lanes(certain, static_cast<LocalIndex>(run * run_size), end);
     }
     for (LocalIndex* place = first; place < end; ++place) {
-      ++scratch_.met_at[static_cast<std::size_t>(*place)];
-      *place = blocks.point[static_cast<std::size_t>(*place)];
+      ++nth(scratch_.met_at, *place);
+      *place = nth(blocks.point, *place);
     }
     scratch_.found_of[b] = {static_cast<LocalIndex>(total_), static_cast<LocalIndex>(end - first)};
     total_ += static_cast<std::size_t>(end - first);
@@ -201,16 +200,15 @@ class Pass {
 void turn_over(std::size_t point_count, std::size_t total, const SearchScratch& scratch, Ragged<LocalIndex>& pairs) {
   pairs.offsets.assign(point_count + 1, 0);
   const std::vector<LocalIndex>& point = scratch.blocks.point;
-  for (std::size_t place = 0; place < point.size(); ++place)
-    pairs.offsets[static_cast<std::size_t>(point[place])] = scratch.met_at[place];
+  for (std::size_t place = 0; place < point.size(); ++place) nth(pairs.offsets, point[place]) = scratch.met_at[place];
   LocalIndex sum = 0;
   for (LocalIndex& offset : pairs.offsets) offset = sum += offset;
   pairs.values.resize(total);
   for (std::size_t b = scratch.found_of.size(); b-- > 0;) {
     const auto [first, count] = scratch.found_of[b];
     for (LocalIndex k = first; k < first + count; ++k) {
-      LocalIndex& end = pairs.offsets[static_cast<std::size_t>(scratch.found[static_cast<std::size_t>(k)])];
-      pairs.values[static_cast<std::size_t>(--end)] = static_cast<LocalIndex>(b);
+      LocalIndex& end = nth(pairs.offsets, nth(scratch.found, k));
+      nth(pairs.values, --end) = static_cast<LocalIndex>(b);
     }
   }
 }

@@ -29,14 +29,14 @@ LocalIndex index_of(Item item) {
 
 struct PointPlaces {
   std::span<const Vec3> points;
-  [[nodiscard]] Vec3 operator()(LocalIndex i) const { return points[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] Vec3 operator()(LocalIndex i) const { return nth(points, i); }
 };
 
 struct BoxPlaces {
   std::span<const geometry::Box> boxes;
   const geometry::Box& region;
   [[nodiscard]] Vec3 operator()(LocalIndex i) const {
-    const geometry::Box& box = boxes[static_cast<std::size_t>(i)];
+    const geometry::Box& box = nth(boxes, i);
     return 0.5 * box.low.cwiseMax(region.low) + 0.5 * box.high.cwiseMin(region.high);
   }
 };
@@ -148,7 +148,7 @@ class Sorter {
       if (static_cast<std::size_t>(next[digit(from[0], d)]) == from.size()) continue;  // one value: in order already
       LocalIndex start = 0;
       for (std::size_t value = 0; value < digit_values; ++value) start += std::exchange(next[value], start);
-      for (const Item item : from) to[static_cast<std::size_t>(next[digit(item, d)]++)] = item;
+      for (const Item item : from) nth(to, next[digit(item, d)]++) = item;
       std::swap(from, to);
     }
     if (from.data() != items.data()) std::copy(from.begin(), from.end(), items.begin());

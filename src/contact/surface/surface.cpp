@@ -10,7 +10,7 @@
 namespace brunt::contact {
 
 bool is_slave(std::span<const BodyFigures> bodies, std::int32_t a, std::int32_t b, const Tolerances& tolerances) {
-  const BodyFigures &one = bodies[static_cast<std::size_t>(a)], &other = bodies[static_cast<std::size_t>(b)];
+  const BodyFigures &one = nth(bodies, a), &other = nth(bodies, b);
   const auto differ = [&](double x, double y) {
     return std::isinf(x) != std::isinf(y) || std::abs(x - y) > tolerances.equal_figures * std::max(x, y);
   };
@@ -38,7 +38,7 @@ bool need_two_passes(const Specification& specification, std::span<const BodyFig
                      std::int32_t b) {
   if (a == b) return true;
   const Tolerances& tolerances = *specification.tolerances;
-  const BodyFigures &one = bodies[static_cast<std::size_t>(a)], &other = bodies[static_cast<std::size_t>(b)];
+  const BodyFigures &one = nth(bodies, a), &other = nth(bodies, b);
   if (have_similar_meshes(one, other, tolerances)) return true;
   return is_slave(bodies, a, b, tolerances) ? !is_finer_everywhere(one, other, tolerances)
                                             : !is_finer_everywhere(other, one, tolerances);
@@ -56,7 +56,7 @@ bool in_two_passes(const Specification& specification, std::span<const BodyFigur
 bool bodies_in_two_passes(const Specification& specification, std::span<const BodyFigures> bodies, std::int32_t a,
                           std::int32_t b, bool on_rim) {
   const auto blocks_of = [&](std::int32_t body) -> const std::vector<std::int32_t>& {
-    return bodies[static_cast<std::size_t>(body)].blocks;
+    return nth(bodies, body).blocks;
   };
   return std::ranges::any_of(blocks_of(a), [&](std::int32_t own) {
     return std::ranges::any_of(blocks_of(b), [&](std::int32_t other) {

@@ -91,11 +91,9 @@ struct Surface {
       0;  ///< mean over the same of the element depth, or the longest edge if that is less [length]
 
   [[nodiscard]] SurfaceNode node(LocalIndex owned) const {
-    return {blocks.row(owned), body[static_cast<std::size_t>(owned)], on_rim[static_cast<std::size_t>(owned)] != 0};
+    return {blocks.row(owned), nth(body, owned), nth(on_rim, owned) != 0};
   }
-  [[nodiscard]] bool owns(LocalIndex node, Rank rank) const {
-    return home[static_cast<std::size_t>(node)].rank == rank;
-  }
+  [[nodiscard]] bool owns(LocalIndex node, Rank rank) const { return nth(home, node).rank == rank; }
 };
 
 /// Whether body a is the slave in contact with body b. The finer one (smaller mean face area) is the slave; if these

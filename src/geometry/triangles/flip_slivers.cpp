@@ -46,7 +46,7 @@ class Flipper {
   /// No area, or a corner within the tolerance of the longest side.
   [[nodiscard]] bool is_sliver(const IndexTriple& triangle) const {
     if (!has_area(surface_, triangle)) return true;
-    const auto at = [&](std::size_t k) { return surface_.points[static_cast<std::size_t>(triangle[k])]; };
+    const auto at = [&](std::size_t k) { return nth(surface_.points, triangle[k]); };
     const double longest = std::max(
         {length({triangle[0], triangle[1]}), length({triangle[1], triangle[2]}), length({triangle[2], triangle[0]})});
     return (at(1) - at(0)).cross(at(2) - at(0)).norm() <= tolerance_ * longest;
@@ -71,8 +71,7 @@ class Flipper {
   }
   int& owners(std::size_t t, std::size_t k) { return count_[edge(t, k)]; }
   [[nodiscard]] double length(const Edge& e) const {
-    return (surface_.points[static_cast<std::size_t>(e.second)] - surface_.points[static_cast<std::size_t>(e.first)])
-        .norm();
+    return (nth(surface_.points, e.second) - nth(surface_.points, e.first)).norm();
   }
 
   /// a, b, c with b in the side from c to a.

@@ -110,8 +110,7 @@ class Grid {
   [[nodiscard]] Cell cell_of(const Vec3& x) const {
     Cell cell;
     for (int axis = 0; axis < 3; ++axis)
-      cell[static_cast<std::size_t>(axis)] =
-          static_cast<std::int64_t>(std::floor((x[axis] - origin_[axis]) / (4 * tolerance_)));
+      nth(cell, axis) = static_cast<std::int64_t>(std::floor((x[axis] - origin_[axis]) / (4 * tolerance_)));
     return cell;
   }
 

@@ -49,7 +49,7 @@ template <class VisitPair>
 SelfCrossings find_crossings(const SlabTree& tree, const VisitPair& visit_pair) {
   SelfCrossings found;
   auto visit = [&](LocalIndex i, const Triangle& a, LocalIndex j) {
-    const Triangle& b = tree.triangles[static_cast<std::size_t>(j)];
+    const Triangle& b = nth(tree.triangles, j);
     if (i >= j || without_area(a) || without_area(b) || !cross_beyond_shared(a, b)) return false;
     visit_pair(i, j);
     if (found.count++ == 0 || std::pair(i, j) < std::pair(found.first_a, found.first_b)) {
@@ -78,7 +78,7 @@ SelfCrossings distrust_crossings(SlabTree& tree) {
   std::vector<Vec3> corners;  // of triangles that cross
   const SelfCrossings found = find_crossings(tree, [&](LocalIndex i, LocalIndex j) {
     for (const LocalIndex t : {i, j})
-      for (const Vec3& x : tree.triangles[static_cast<std::size_t>(t)]) corners.push_back(x);
+      for (const Vec3& x : nth(tree.triangles, t)) corners.push_back(x);
   });
   if (corners.empty()) return found;
   std::sort(corners.begin(), corners.end(), EarlierPosition());

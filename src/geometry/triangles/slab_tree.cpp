@@ -111,7 +111,7 @@ class Builder {
     SlabLeaf& leaf = tree_.leaves.emplace_back();
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const LocalIndex triangle = groups[lane < groups.size() ? lane : 0][0].triangle;
-      const Triangle& corners = tree_.triangles[static_cast<std::size_t>(triangle)];
+      const Triangle& corners = nth(tree_.triangles, triangle);
       for (std::size_t i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) leaf.corner[i][k][static_cast<int>(lane)] = corners[i][k];
     }
@@ -141,7 +141,7 @@ class Builder {
     for (std::size_t m = 0; m < more; ++m) {
       double low = std::numeric_limits<double>::infinity(), high = -low;
       for (const Item& item : members)
-        for (const Vec3& corner : tree_.triangles[static_cast<std::size_t>(item.triangle)]) {
+        for (const Vec3& corner : nth(tree_.triangles, item.triangle)) {
           const double along = corner.dot(tree_.directions[m]);
           low = std::min(low, along);
           high = std::max(high, along);
@@ -177,7 +177,7 @@ SlabTree build_slab_tree(const TriangleSurface& surface, std::span<const Vec3> d
   tree.leaves.reserve(surface.triangles.size() / 8 + 1);
   for (const auto& corners : surface.triangles) {
     Triangle& triangle = tree.triangles.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) triangle[i] = surface.points[static_cast<std::size_t>(corners[i])];
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = nth(surface.points, corners[i]);
     items.push_back({bounding_box(triangle), static_cast<LocalIndex>(items.size())});
   }
   tree.box = box_of(items);

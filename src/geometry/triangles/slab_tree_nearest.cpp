@@ -54,12 +54,12 @@ class Descent {
       }
       if (!(distance2[first] <= nearest_.distance2) || nearest_.distance2 < near_enough2_) return;
       left &= ~(1U << first);
-      below(static_cast<std::size_t>(node.child[static_cast<std::size_t>(first)]));
+      below(static_cast<std::size_t>(nth(node.child, first)));
     }
   }
 
   void leaf(const SlabNode& node) {
-    const SlabLeaf& l = tree_.leaves[static_cast<std::size_t>(node.leaf)];
+    const SlabLeaf& l = nth(tree_.leaves, node.leaf);
     const auto vector = [](const Octet(&of)[3]) { return VecOf<Octet>{of[0], of[1], of[2]}; };
     const Octet distance2 = distance2_to_triangle<Octet>(
         lanes_, {vector(l.corner[0]), vector(l.corner[1]), vector(l.corner[2]), vector(l.normal), l.inverse2[0],
@@ -67,7 +67,7 @@ class Descent {
     for (unsigned left = lanes_up_to(distance2, Octet() + nearest_.distance2) & ((1U << node.count) - 1); left != 0;
          left &= left - 1) {
       const int lane = std::countr_zero(left);
-      const LocalIndex triangle = node.child[static_cast<std::size_t>(lane)];
+      const LocalIndex triangle = nth(node.child, lane);
       const bool first = nearest_.triangle == no_index || triangle < nearest_.triangle;
       if (distance2[lane] < nearest_.distance2 || (distance2[lane] == nearest_.distance2 && first))
         nearest_ = {distance2[lane], triangle};
@@ -93,7 +93,7 @@ PointDepth depth_at(const SlabTree& tree, const Vec3& x, LocalIndex triangle) {
   const Vec3 away = x - on.point;
   const double distance = away.norm();
   if (distance == 0) return {0, on.point, triangle};
-  const Vec3& normal = tree.normals[t][static_cast<std::size_t>(on.feature)];
+  const Vec3& normal = nth(tree.normals[t], on.feature);
   return {inside(tree, x, away, normal) ? distance : -distance, on.point, triangle};
 }
 
@@ -137,7 +137,7 @@ double winding_number(const TriangleSurface& surface, const Vec3& x) {
   std::vector<Triangle> triangles;
   for (const auto& corners : surface.triangles) {
     Triangle& triangle = triangles.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) triangle[i] = surface.points[static_cast<std::size_t>(corners[i])];
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = nth(surface.points, corners[i]);
   }
   return winding_number(triangles, x);
 }

@@ -9,7 +9,7 @@ namespace brunt::geometry {
 
 bool surfaces_cross(const SlabTree& a, const SlabTree& b, const Placement& a_in_b) {
   auto visit = [&](LocalIndex /*of_a*/, const Triangle& corners, LocalIndex j) {
-    return triangles_cross(corners, b.triangles[static_cast<std::size_t>(j)]);
+    return triangles_cross(corners, nth(b.triangles, j));
   };
   return SlabWalk(a, b, a_in_b, 0, visit).run();
 }
@@ -18,7 +18,7 @@ void near_pairs(const SlabTree& a, const SlabTree& b, const Placement& a_in_b, d
                 std::vector<NearPair>& out) {
   out.clear();
   auto visit = [&](LocalIndex i, const Triangle& corners, LocalIndex j) {
-    const NearestPoints nearest = nearest_points(corners, b.triangles[static_cast<std::size_t>(j)], band);
+    const NearestPoints nearest = nearest_points(corners, nth(b.triangles, j), band);
     if (nearest.distance < band) out.push_back({i, j, nearest.distance, nearest.on_a, nearest.on_b});
     return false;
   };
@@ -33,7 +33,7 @@ double surface_distance(const SlabTree& a, const SlabTree& b, const Placement& a
     double least;
     SlabWalk<Visit>* walk = nullptr;
     bool operator()(LocalIndex /*of_a*/, const Triangle& corners, LocalIndex j) {
-      const double distance = nearest_points(corners, b.triangles[static_cast<std::size_t>(j)], least).distance;
+      const double distance = nearest_points(corners, nth(b.triangles, j), least).distance;
       if (distance < least) {
         least = distance;
         walk->set_limit(least);

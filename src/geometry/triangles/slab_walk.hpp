@@ -69,8 +69,8 @@ class SlabWalk {
     return by_nearness(gaps_to(a_, i, PlacedBox(box_b, back_), back_), [&](int lane) {
       const OwnBox box = child_box(node, lane);
       if (node.leaf == no_index) return nodes(child(node, lane), box, j, box_b);
-      const LocalIndex triangle = node.child[static_cast<std::size_t>(lane)];
-      const Triangle corners = placed(a_.triangles[static_cast<std::size_t>(triangle)], a_in_b_);
+      const LocalIndex triangle = nth(node.child, lane);
+      const Triangle corners = placed(nth(a_.triangles, triangle), a_in_b_);
       const PlacedBox placed_box(own_box(bounding_box(corners)), box, forth_);
       return triangle_below(triangle, corners, placed_box, j);
     });
@@ -80,13 +80,11 @@ class SlabWalk {
     const SlabNode& node = b_.nodes[j];
     return by_nearness(gaps_to(b_, j, box, forth_), [&](int lane) {
       if (node.leaf == no_index) return triangle_below(triangle, corners, box, child(node, lane));
-      return visit_(triangle, corners, node.child[static_cast<std::size_t>(lane)]);
+      return visit_(triangle, corners, nth(node.child, lane));
     });
   }
 
-  static std::size_t child(const SlabNode& node, int lane) {
-    return static_cast<std::size_t>(node.child[static_cast<std::size_t>(lane)]);
-  }
+  static std::size_t child(const SlabNode& node, int lane) { return static_cast<std::size_t>(nth(node.child, lane)); }
 
   const SlabTree &a_, &b_;
   const Placement& a_in_b_;

@@ -14,23 +14,21 @@ std::vector<comm::RemoteSlot> at_owners(const comm::Communicator& ranks, const m
                                         std::span<const LocalIndex> copy) {
   const auto size = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<GlobalIndex>> asked(size);
-  for (const LocalIndex node : copy)
-    asked[static_cast<std::size_t>(mesh.owner[static_cast<std::size_t>(node)])].push_back(
-        mesh.node_gid[static_cast<std::size_t>(node)]);
+  for (const LocalIndex node : copy) nth(asked, nth(mesh.owner, node)).push_back(nth(mesh.node_gid, node));
   const Ragged<GlobalIndex> questions = comm::exchange(ranks, asked);
   std::vector<std::vector<LocalIndex>> answers(size);
   for (LocalIndex r = 0; r < questions.rows(); ++r)
     for (const GlobalIndex gid : questions.row(r)) {
       const auto found = std::ranges::lower_bound(mesh.node_gid, gid);
       demand(found != mesh.node_gid.end() && *found == gid, "an owner holds its nodes");
-      answers[static_cast<std::size_t>(r)].push_back(static_cast<LocalIndex>(found - mesh.node_gid.begin()));
+      nth(answers, r).push_back(static_cast<LocalIndex>(found - mesh.node_gid.begin()));
     }
   const Ragged<LocalIndex> places = comm::exchange(ranks, answers);
   std::vector<std::size_t> next(size, 0);
   std::vector<comm::RemoteSlot> source;
   for (const LocalIndex node : copy) {
-    const Rank owner = mesh.owner[static_cast<std::size_t>(node)];
-    source.push_back({owner, places.row(owner)[next[static_cast<std::size_t>(owner)]++]});
+    const Rank owner = nth(mesh.owner, node);
+    source.push_back({owner, places.row(owner)[nth(next, owner)++]});
   }
   return source;
 }

@@ -14,7 +14,7 @@ void BlockRow::clear() {
 void BlockRow::add(GlobalIndex column, const Mat3& block) {
   const auto at = std::ranges::find(columns_, column);
   if (at != columns_.end()) {
-    blocks_[static_cast<std::size_t>(at - columns_.begin())] += block;
+    nth(blocks_, at - columns_.begin()) += block;
     return;
   }
   columns_.push_back(column);

@@ -60,8 +60,8 @@ RowTold told(const ContactNodes& nodes, GlobalIndex interface, const Interface& 
   for (std::size_t c = 0; c < below.nodes.size(); ++c) {
     told.below[c] = -1;
     if (below.nodes[c] == no_index || !contact::has_share(below.weights[c])) continue;
-    told.below[c] = nodes.gid[static_cast<std::size_t>(below.nodes[c])];
-    told.movable[c] = values_of(nodes.movable[static_cast<std::size_t>(below.nodes[c])]);
+    told.below[c] = nth(nodes.gid, below.nodes[c]);
+    told.movable[c] = values_of(nth(nodes.movable, below.nodes[c]));
   }
   return told;
 }
@@ -124,9 +124,8 @@ std::vector<Mat3> carried_by_ties(const comm::Communicator& ranks, std::span<con
   if (!ranks.any(any)) return carried;
   share_movable(movable, nodes);
   for (const auto& [node, directions] : carried_of(rows_of_all(ranks, contact)))
-    if (const LocalIndex place = nodes.place_of(node);
-        place != no_index && nodes.own[static_cast<std::size_t>(place)] != no_index)
-      carried[static_cast<std::size_t>(place)] = directions;
+    if (const LocalIndex place = nodes.place_of(node); place != no_index && nth(nodes.own, place) != no_index)
+      nth(carried, place) = directions;
   return carried;
 }
 

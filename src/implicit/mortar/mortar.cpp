@@ -193,7 +193,7 @@ void restore_contact(const comm::Communicator& ranks, const model::State& state,
   if (!contact.any()) return;
   take_roles_before(contact);
   std::vector<double> own_z;
-  for (const LocalIndex k : contact.own) own_z.push_back(contact.z_before[static_cast<std::size_t>(k)]);
+  for (const LocalIndex k : contact.own) own_z.push_back(nth(contact.z_before, k));
   gather_contact(ranks, state, own_z, contact);
   const std::vector<double> tractions = contact.traction_before;
   find_contact(ranks, contact, Iterate::first_of_step);

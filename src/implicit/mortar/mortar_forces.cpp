@@ -93,10 +93,10 @@ void sum_forces(const comm::Communicator& ranks, MortarContact& contact) {
   const auto count = static_cast<std::int64_t>(contact.interfaces.size());
   for (const bool tied : {true, false})
     for (std::int64_t k = 0; k < count; ++k) {
-      const Interface& face = contact.interfaces[static_cast<std::size_t>(k)];
+      const Interface& face = nth(contact.interfaces, k);
       if (face.pair.tied == tied)
         shares_of(nodes, face, tied ? k : k + count, [&](Rank owner, const Share& share) {
-          (owner == ranks.rank() ? own : to_rank[static_cast<std::size_t>(owner)]).push_back(share);
+          (owner == ranks.rank() ? own : nth(to_rank, owner)).push_back(share);
         });
     }
   const std::vector<Share> others = comm::exchange(ranks, to_rank).values;

@@ -50,7 +50,7 @@ struct Box {
 Box box_of(const contact::FacetNodes& facet, std::span<const Vec3> x) {
   Box box;
   for (const LocalIndex node : facet)
-    if (node != no_index) box.take(x[static_cast<std::size_t>(node)]);
+    if (node != no_index) box.take(nth(x, node));
   return box;
 }
 
@@ -85,7 +85,7 @@ Ragged<Box> reaches(const comm::Communicator& ranks, const MortarContact& contac
     Box box;
     for (const contact::FacetNodes& facet : face.surfaces.slave)
       for (const LocalIndex node : facet)
-        if (node != no_index) box.take(contact.nodes.x[static_cast<std::size_t>(node)]);
+        if (node != no_index) box.take(nth(contact.nodes.x, node));
     box.grow((face.of_points ? with_neighbours : 1.0) * face.surfaces.capture + 2 * spare * contact.travel);
     mine.push_back(box);
   }
@@ -109,7 +109,7 @@ Told told_to(std::span<const Box> reach, const MortarContact& contact) {
       if (!own.patch.empty()) told.patch = own.patch[facet];
       for (std::size_t c = 0; c < 4; ++c) {
         const LocalIndex node = own.nodes[facet][c];
-        told.node[c] = node == no_index ? -1 : contact.nodes.gid[static_cast<std::size_t>(node)];
+        told.node[c] = node == no_index ? -1 : nth(contact.nodes.gid, node);
         if (node != no_index) nodes.push_back(node);
       }
       all.facets.push_back(told);
@@ -224,8 +224,7 @@ void tell_masters(const comm::Communicator& ranks, MortarContact& contact) {
   const std::vector<GlobalIndex> before = contact.nodes.gid;
   lay_nodes(ranks, std::move(told.nodes), contact.nodes);
   for (Interface& face : contact.interfaces)
-    for (LocalIndex& node : face.history.weights.nodes.values)
-      node = contact.nodes.place_of(before[static_cast<std::size_t>(node)]);
+    for (LocalIndex& node : face.history.weights.nodes.values) node = contact.nodes.place_of(nth(before, node));
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     if (contact.interfaces[k].pair.tied) continue;
     const auto of_face = equal_part(told.facets, static_cast<std::int64_t>(k), &FacetTold::interface);

@@ -59,7 +59,7 @@ WholeInterface with_masters(const WholeInterface& pair, const std::vector<std::s
 bool in_one_mirror(const WholeSurfaces& whole, LocalIndex one, LocalIndex other) {
   constexpr double parallel = 1 - 1e-12;  // product of unit normals
   constexpr double within = 1e-6;         // sine between the plane and the way from node to node
-  const Vec3 way = whole.reference[static_cast<std::size_t>(other)] - whole.reference[static_cast<std::size_t>(one)];
+  const Vec3 way = nth(whole.reference, other) - nth(whole.reference, one);
   const Ragged<Vec3> mirrors = mirrors_at(whole, std::array{one, other});
   return std::ranges::any_of(mirrors.row(0), [&](const Vec3& a) {
     return std::abs(a.dot(way)) <= within * way.norm() &&

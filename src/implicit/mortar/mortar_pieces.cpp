@@ -50,7 +50,7 @@ void for_each_piece(const MortarContact& contact, const std::vector<contact::Tra
     }
     const contact::NodeBlocks<Mat3>& slopes = tractions[k].by_position;
     for (LocalIndex row = 0; row < slopes.nodes.rows(); ++row) {
-      visit(Piece{{interface, 1, face.place[static_cast<std::size_t>(row)]},
+      visit(Piece{{interface, 1, nth(face.place, row)},
                   face.rows.weights.nodes.row(row),
                   slopes.nodes.row(row),
                   nullptr,
@@ -74,15 +74,15 @@ class Outgoing {
   /// Sends the rows of a piece that other ranks own to these.
   void send(const Piece& piece) {
     for (std::size_t r = 0; r < piece.rows.size(); ++r) {
-      const Rank owner = nodes_.source[static_cast<std::size_t>(piece.rows[r])].rank;
+      const Rank owner = nth(nodes_.source, piece.rows[r]).rank;
       if (owner == here_) continue;
-      std::vector<std::size_t>& rows = rows_[static_cast<std::size_t>(owner)];
+      std::vector<std::size_t>& rows = nth(rows_, owner);
       if (rows.empty()) asked_.push_back(owner);
       rows.push_back(r);
     }
     for (const Rank owner : asked_) {
-      write(piece, rows_[static_cast<std::size_t>(owner)], words_[static_cast<std::size_t>(owner)]);
-      rows_[static_cast<std::size_t>(owner)].clear();
+      write(piece, nth(rows_, owner), nth(words_, owner));
+      nth(rows_, owner).clear();
     }
     asked_.clear();
   }
@@ -90,7 +90,7 @@ class Outgoing {
 
  private:
   void write(const Piece& piece, const std::vector<std::size_t>& rows, std::vector<GlobalIndex>& words) const {
-    const auto gid = [&](LocalIndex place) { return nodes_.gid[static_cast<std::size_t>(place)]; };
+    const auto gid = [&](LocalIndex place) { return nth(nodes_.gid, place); };
     const auto put = [&](double value) { words.push_back(std::bit_cast<GlobalIndex>(value)); };
     const auto put_block = [&](const Mat3& block) { std::for_each_n(block.data(), 9, put); };
     words.insert(words.end(), {piece.key.interface, piece.key.of_tractions, piece.key.source,
@@ -177,9 +177,9 @@ void sum_pieces(const comm::Communicator& ranks, const MortarContact& contact,
   for_each_piece(contact, tractions, [&](const Piece& piece) {
     incoming.add_before(piece.key, nodes, take);
     for (std::size_t r = 0; r < piece.rows.size(); ++r) {
-      if (nodes.source[static_cast<std::size_t>(piece.rows[r])].rank != ranks.rank()) continue;
+      if (nth(nodes.source, piece.rows[r]).rank != ranks.rank()) continue;
       for (std::size_t c = 0; c < piece.columns.size(); ++c)
-        take(piece.rows[r], nodes.gid[static_cast<std::size_t>(piece.columns[c])], piece.block(r, c));
+        take(piece.rows[r], nth(nodes.gid, piece.columns[c]), piece.block(r, c));
     }
   });
   incoming.add_rest(nodes, take);

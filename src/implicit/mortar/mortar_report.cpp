@@ -61,8 +61,7 @@ template <class Visit>
 void for_each_row(const MortarContact& contact, const Visit& visit) {
   for (const Interface& face : contact.interfaces)
     for (std::size_t row = 0; row < face.count(); ++row)
-      visit(face, row,
-            static_cast<std::size_t>(contact.nodes.source[static_cast<std::size_t>(face.surfaces.rows[row])].index));
+      visit(face, row, static_cast<std::size_t>(nth(contact.nodes.source, face.surfaces.rows[row]).index));
 }
 
 }  // namespace

@@ -44,8 +44,7 @@ EdgeLengths edges_of(const std::vector<FacetNodes>& facets, std::span<const Vec3
   for (const FacetNodes& facet : facets) {
     const std::size_t n = cells::corner_count(facet);
     for (std::size_t k = 0; k < n; ++k) {
-      const double length =
-          (x[static_cast<std::size_t>(facet[k])] - x[static_cast<std::size_t>(facet[(k + 1) % n])]).norm();
+      const double length = (nth(x, facet[k]) - nth(x, facet[(k + 1) % n])).norm();
       edges.mean += length;
       edges.largest = std::max(edges.largest, length);
       ++count;
@@ -65,9 +64,8 @@ double young_of(const model::ElementBlock& block) {
 /// Whether supports leave any node a free direction.
 bool can_move(const WholeSurfaces& whole, const std::vector<FacetNodes>& facets) {
   return std::ranges::any_of(facets, [&](const FacetNodes& facet) {
-    return std::ranges::any_of(facet, [&](LocalIndex node) {
-      return node != no_index && whole.free[static_cast<std::size_t>(node)] != Mat3::Zero();
-    });
+    return std::ranges::any_of(
+        facet, [&](LocalIndex node) { return node != no_index && nth(whole.free, node) != Mat3::Zero(); });
   });
 }
 
@@ -87,7 +85,7 @@ bool master_is_better(const WholeSurfaces& whole, const contact::MortarSurfaces&
 /// A rigid part is the master: as a slave it could not satisfy the rows of all its nodes.
 bool is_swapped(const model::Model& model, const WholeSurfaces& whole, const MortarPair& asked,
                 const contact::MortarSurfaces& surfaces) {
-  const auto rigid = [&](std::int32_t b) { return material::is_rigid(model.blocks[static_cast<std::size_t>(b)].law); };
+  const auto rigid = [&](std::int32_t b) { return material::is_rigid(nth(model.blocks, b).law); };
   if (rigid(asked.slave) != rigid(asked.master)) return rigid(asked.slave);
   return master_is_better(whole, surfaces);
 }
@@ -132,9 +130,7 @@ void lay_tie(const WholeSurfaces& whole, Interface& face) {
 
 /// Whether both sides are fully constrained, so that no multiplier can act.
 void refuse_held(const model::Model& model, const WholeSurfaces& whole, const Interface& face) {
-  const auto& part = [&](std::int32_t b) -> const std::string& {
-    return model.blocks[static_cast<std::size_t>(b)].part;
-  };
+  const auto& part = [&](std::int32_t b) -> const std::string& { return nth(model.blocks, b).part; };
   if (face.surfaces.slave.empty() || face.surfaces.master.empty())
     throw InputError(
         fmt::format("{}: invalid pair: {} has no face that could touch {}; expected parts with exterior faces",
@@ -169,9 +165,7 @@ WholeInterface make_interface(const model::Model& model, const WholeSurfaces& wh
   Interface& face = of.face;
   refuse_held(model, whole, face);
   face.topology = contact::make_topology(face.surfaces, whole.reference);
-  const auto block = [&](std::int32_t b) -> const model::ElementBlock& {
-    return model.blocks[static_cast<std::size_t>(b)];
-  };
+  const auto block = [&](std::int32_t b) -> const model::ElementBlock& { return nth(model.blocks, b); };
   const double young = std::min(young_of(block(face.pair.slave)), young_of(block(face.pair.master)));
   face.stiffness = contact::layer_stiffness(young, face.topology);
   face.friction = {asked.friction, sticking * face.stiffness};
@@ -191,7 +185,7 @@ void warn_of_chords(const model::Model& model, const WholeSurfaces& whole, const
   const double mean = std::max(0.0, seat.of_facets) / seat.of_surfaces - 1;
   const double most = std::max(mean, seat.deepest / seat.of_surfaces - 1);
   if (std::max(std::abs(mean), std::abs(most)) < too_much) return;
-  const auto part = [&](std::int32_t b) { return model.blocks[static_cast<std::size_t>(b)].part; };
+  const auto part = [&](std::int32_t b) { return nth(model.blocks, b).part; };
   const auto text = [](double share) {
     return fmt::format("{:.0f} % too {}", 100 * std::abs(share), share < 0 ? "low" : "high");
   };

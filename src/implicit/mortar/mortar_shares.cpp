@@ -16,7 +16,7 @@ class Kept {
  public:
   explicit Kept(std::size_t nodes) : keeps_(nodes, 0), place_(nodes, no_index) {}
   void keep(LocalIndex node) {
-    if (node != no_index) keeps_[static_cast<std::size_t>(node)] = 1;
+    if (node != no_index) nth(keeps_, node) = 1;
   }
   void keep(const FacetNodes& facet) {
     for (const LocalIndex node : facet) keep(node);
@@ -31,9 +31,7 @@ class Kept {
     }
     return nodes;
   }
-  [[nodiscard]] LocalIndex place(LocalIndex node) const {
-    return node == no_index ? no_index : place_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] LocalIndex place(LocalIndex node) const { return node == no_index ? no_index : nth(place_, node); }
   [[nodiscard]] FacetNodes place(const FacetNodes& facet) const {
     return {place(facet[0]), place(facet[1]), place(facet[2]), place(facet[3])};
   }
@@ -51,7 +49,7 @@ struct Part {
 };
 
 Rank owner_of(const WholeSurfaces& whole, LocalIndex node) {
-  return whole.nodes[static_cast<std::size_t>(node)].owner;
+  return nth(whole.nodes, node).owner;
 }
 
 /// A facet belongs to the owner of its first node in canonical order.
@@ -105,7 +103,7 @@ void link_rows(const comm::Communicator& ranks, const WholeSurfaces& whole, cons
   std::vector<LocalIndex> count(static_cast<std::size_t>(ranks.size()), 0);
   for (const LocalIndex node : all.surfaces.rows) {
     const Rank owner = owner_of(whole, node);
-    source.push_back({owner, count[static_cast<std::size_t>(owner)]++});
+    source.push_back({owner, nth(count, owner)++});
   }
   for (const std::size_t row : part.rows_beside) beside.push_back(source[row]);
   face.rows_of_all = all.count();
@@ -125,7 +123,7 @@ std::vector<FacetNodes> corner_rows_of(const Interface& all, const Part& part) {
   for (const std::size_t facet : part.facets) {
     FacetNodes& rows = of_corner.emplace_back(all.topology.row_of_corner[facet]);
     for (LocalIndex& row : rows)
-      if (row != no_index) row = number[static_cast<std::size_t>(row)];
+      if (row != no_index) row = nth(number, row);
   }
   return of_corner;
 }
@@ -219,8 +217,7 @@ std::vector<std::uint8_t> nodes_of_several(const WholeSurfaces& whole, const std
 }
 
 bool has_supports(const WholeSurfaces& whole, const std::vector<LocalIndex>& nodes) {
-  return std::ranges::any_of(
-      nodes, [&](LocalIndex node) { return !whole.free[static_cast<std::size_t>(node)].isIdentity(0); });
+  return std::ranges::any_of(nodes, [&](LocalIndex node) { return !nth(whole.free, node).isIdentity(0); });
 }
 
 /// Whether a node has several rows, which are in ascending order of nodes.

@@ -25,7 +25,7 @@ std::vector<FaceRecord> faces_of_pairs(const comm::Communicator& ranks, const mo
     if (!meets || (!model.in_symmetry_plane.empty() && model.in_symmetry_plane[f] != 0)) continue;
     FaceRecord record{face.key, {}, face.block, ranks.rank()};
     for (std::size_t k = 0; k < 4; ++k)
-      record.node[k] = face.nodes[k] == no_index ? -1 : model.mesh.node_gid[static_cast<std::size_t>(face.nodes[k])];
+      record.node[k] = face.nodes[k] == no_index ? -1 : nth(model.mesh.node_gid, face.nodes[k]);
     mine.push_back(record);
   }
   std::vector<FaceRecord> all = told_to_all(ranks, mine);
@@ -53,7 +53,7 @@ std::vector<NodeRecord> nodes_of(const comm::Communicator& ranks, const model::M
     const auto i = static_cast<std::size_t>(node);
     if (!std::ranges::binary_search(gids, model.mesh.node_gid[i])) continue;
     NodeRecord record{model.mesh.node_gid[i], ranks.rank(), node};
-    for (int c = 0; c < 3; ++c) record.reference[static_cast<std::size_t>(c)] = model.reference[i][c];
+    for (int c = 0; c < 3; ++c) nth(record.reference, c) = model.reference[i][c];
     const auto held = std::ranges::lower_bound(model.constrained, node, {}, &model::ConstrainedNode::node);
     if (held != model.constrained.end() && held->node == node)
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(record.free.data()) = held->free;
@@ -71,8 +71,7 @@ std::vector<MirrorRecord> mirrors_of(const comm::Communicator& ranks, const mode
   for (const model::SymmetryNodes& plane : model.symmetries)
     for (const LocalIndex node : plane.nodes)
       if (std::ranges::binary_search(model.owned, node))
-        mine.push_back(
-            {model.mesh.node_gid[static_cast<std::size_t>(node)], {plane.normal[0], plane.normal[1], plane.normal[2]}});
+        mine.push_back({nth(model.mesh.node_gid, node), {plane.normal[0], plane.normal[1], plane.normal[2]}});
   std::vector<MirrorRecord> all = told_to_all(ranks, mine);
   std::ranges::stable_sort(all, {}, &MirrorRecord::gid);
   return all;
@@ -99,7 +98,7 @@ WholeSurfaces tell_surfaces(const comm::Communicator& ranks, const model::Model&
 Ragged<Vec3> mirrors_at(const WholeSurfaces& whole, std::span<const LocalIndex> rows) {
   Ragged<Vec3> mirrors;
   for (const LocalIndex row : rows) {
-    const GlobalIndex gid = whole.nodes[static_cast<std::size_t>(row)].gid;
+    const GlobalIndex gid = nth(whole.nodes, row).gid;
     for (const MirrorRecord& mirror : equal_part(whole.mirrors, gid, &MirrorRecord::gid))
       mirrors.values.emplace_back(mirror.normal.data());
     mirrors.close_row();

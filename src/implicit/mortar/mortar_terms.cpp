@@ -32,14 +32,14 @@ class Terms {
 
   /// - dF_row/dx_column: residuals contain the forces with a minus. row: a place of a node that this rank owns.
   void node_node(LocalIndex row, GlobalIndex column, const Mat3& slope) {
-    contact_.sums[static_cast<std::size_t>(row)].add(column, -(taken(row) * slope));
+    nth(contact_.sums, row).add(column, -(taken(row) * slope));
   }
   void node_multiplier(LocalIndex row, GlobalIndex multiplier, const Vec3& slope) {
-    const Rank owner = contact_.nodes.source[static_cast<std::size_t>(row)].rank;
+    const Rank owner = nth(contact_.nodes.source, row).rank;
     if (owner == ranks_.rank())
       add_column(row, multiplier, slope);
     else
-      columns_to_[static_cast<std::size_t>(owner)].push_back({gid(row), multiplier, {slope[0], slope[1], slope[2]}});
+      nth(columns_to_, owner).push_back({gid(row), multiplier, {slope[0], slope[1], slope[2]}});
   }
   void multiplier_node(GlobalIndex multiplier, LocalIndex column, const Vec3& slope) {
     for (int j = 0; j < 3; ++j) add(multiplier, 3 * gid(column) + j, slope[j]);
@@ -71,8 +71,8 @@ class Terms {
     const Vec3 part = -(taken(row) * slope);
     for (int i = 0; i < 3; ++i) add(3 * gid(row) + i, multiplier, part[i]);
   }
-  [[nodiscard]] const Mat3& taken(LocalIndex node) const { return contact_.nodes.rows[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] GlobalIndex gid(LocalIndex node) const { return contact_.nodes.gid[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] const Mat3& taken(LocalIndex node) const { return nth(contact_.nodes.rows, node); }
+  [[nodiscard]] GlobalIndex gid(LocalIndex node) const { return nth(contact_.nodes.gid, node); }
   void add(GlobalIndex row, GlobalIndex column, double value) { with_multipliers_.push_back({row, column, value}); }
 
   const comm::Communicator& ranks_;

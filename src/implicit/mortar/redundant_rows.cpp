@@ -94,13 +94,13 @@ std::vector<std::uint8_t> shared_nodes(const comm::Communicator& ranks, const Mo
         const std::int64_t interface = 2 * static_cast<std::int64_t>(k) + (of_master ? 1 : 0);
         if (told[node] == interface) continue;
         told[node] = interface;
-        to_owner[static_cast<std::size_t>(nodes.source[node].rank)].push_back({nodes.gid[node], interface});
+        nth(to_owner, nodes.source[node].rank).push_back({nodes.gid[node], interface});
       }
     }
   std::map<GlobalIndex, std::int64_t> first;
   for (const NodeSeen& seen : comm::exchange(ranks, to_owner).values) {
     const auto [known, fresh] = first.emplace(seen.gid, seen.interface);
-    if (!fresh && known->second != seen.interface) shared[static_cast<std::size_t>(nodes.place_of(seen.gid))] = 1;
+    if (!fresh && known->second != seen.interface) nth(shared, nodes.place_of(seen.gid)) = 1;
   }
   return shared;
 }

@@ -43,7 +43,7 @@ std::vector<double> bulges(const std::vector<FacetNodes>& facets, std::span<cons
     double sum = 0;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t next = (k + 1) % n;
-      const Vec3 edge = x[static_cast<std::size_t>(facets[f][next])] - x[static_cast<std::size_t>(facets[f][k])];
+      const Vec3 edge = nth(x, facets[f][next]) - nth(x, facets[f][k]);
       sum += (at[next] - at[k]).dot(edge);
     }
     heights.push_back(sum / 24);

@@ -29,8 +29,7 @@ std::vector<char> pressed_rows(const Interface& face) {
 
 /// rows: of the corners of a facet.
 bool presses(const contact::FacetNodes& rows, const std::vector<char>& pressed) {
-  return std::ranges::any_of(
-      rows, [&](LocalIndex row) { return row != no_index && pressed[static_cast<std::size_t>(row)] != 0; });
+  return std::ranges::any_of(rows, [&](LocalIndex row) { return row != no_index && nth(pressed, row) != 0; });
 }
 
 /// A direction to which hardly any surface is parallel. A side whose normals have a component along it looks up.
@@ -68,9 +67,8 @@ std::vector<FacingPair> of_all(const comm::Communicator& ranks, const std::vecto
 }  // namespace
 
 bool SelfContact::admits(LocalIndex of_slaves, LocalIndex of_masters) const {
-  const LocalIndex one = slave[static_cast<std::size_t>(of_slaves)],
-                   other = master[static_cast<std::size_t>(of_masters)];
-  return contact::is_slave(roles[static_cast<std::size_t>(one)], roles[static_cast<std::size_t>(other)], one, other) &&
+  const LocalIndex one = nth(slave, of_slaves), other = nth(master, of_masters);
+  return contact::is_slave(nth(roles, one), nth(roles, other), one, other) &&
          !std::ranges::binary_search(never.row(of_slaves), other);
 }
 
@@ -93,7 +91,7 @@ void choose_roles(const comm::Communicator& ranks, MortarContact& contact) {
 bool is_of_slave(const Interface& face, std::size_t row, LocalIndex node) {
   const std::span<const LocalIndex> facets = face.topology.facets_around.row(static_cast<LocalIndex>(row));
   return std::ranges::any_of(facets, [&](LocalIndex facet) {
-    const contact::FacetNodes& nodes = face.surfaces.slave[static_cast<std::size_t>(facet)];
+    const contact::FacetNodes& nodes = nth(face.surfaces.slave, facet);
     return std::ranges::find(nodes, node) != nodes.end();
   });
 }
@@ -107,8 +105,8 @@ std::vector<std::string> warnings_of_roles(const comm::Communicator& ranks, cons
     std::vector<double> place(3, -std::numeric_limits<double>::infinity());
     const auto at = std::ranges::find(face.self->slave, face.self->undecided.slave) - face.self->slave.begin();
     if (at < std::ssize(face.self->slave)) {
-      const LocalIndex corner = face.surfaces.slave[static_cast<std::size_t>(at)][0];
-      const Vec3 x = contact.nodes.x[static_cast<std::size_t>(corner)] + origin;
+      const LocalIndex corner = nth(face.surfaces.slave, at)[0];
+      const Vec3 x = nth(contact.nodes.x, corner) + origin;
       std::copy_n(x.data(), 3, place.begin());
     }
     ranks.max(place);

@@ -15,8 +15,7 @@ namespace {
 double mean_edge(const contact::FacetNodes& facet, std::span<const Vec3> x) {
   const std::size_t n = cells::corner_count(facet);
   double sum = 0;
-  for (std::size_t k = 0; k < n; ++k)
-    sum += (x[static_cast<std::size_t>(facet[k])] - x[static_cast<std::size_t>(facet[(k + 1) % n])]).norm();
+  for (std::size_t k = 0; k < n; ++k) sum += (nth(x, facet[k]) - nth(x, facet[(k + 1) % n])).norm();
   return sum / static_cast<double>(n);
 }
 

@@ -21,7 +21,7 @@ std::vector<char> acts_on_nodes(const model::Model& model, const model::RigidWal
   std::vector<char> acts(static_cast<std::size_t>(model.nodes()), 0);
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     if (!wall.blocks.empty() && !std::ranges::binary_search(wall.blocks, static_cast<std::int32_t>(b))) continue;
-    for (const LocalIndex node : model.blocks[b].node) acts[static_cast<std::size_t>(node)] = 1;
+    for (const LocalIndex node : model.blocks[b].node) nth(acts, node) = 1;
   }
   return acts;
 }
@@ -35,13 +35,12 @@ void look_at_nearest(const model::Model& model, const WallContact& walls, const 
   std::vector<std::pair<double, std::int32_t>> by_gap;
   for (std::int32_t k = 0; k < node.count; ++k) {
     const std::int32_t entry = node.first + k;
-    const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(entry)]);
+    const auto w = static_cast<std::size_t>(nth(walls.wall, entry));
     by_gap.emplace_back(model.walls[w].normal.dot(x) - walls.place[w], k);
   }
   std::ranges::sort(by_gap);
   node.looked_at = std::min(node.count, static_cast<std::int32_t>(WallChoice::most));
-  for (std::int32_t k = 0; k < node.looked_at; ++k)
-    node.kept[k] = node.first + by_gap[static_cast<std::size_t>(k)].second;
+  for (std::int32_t k = 0; k < node.looked_at; ++k) node.kept[k] = node.first + nth(by_gap, k).second;
   std::sort(node.kept, node.kept + node.looked_at);
 }
 
@@ -60,7 +59,7 @@ double depth_behind(const model::Model& model, const WallContact& walls, const W
 WallChoice first_choice(const model::Model& model, const WallContact& walls, const WallNode& node, const Vec3& x) {
   WallChoice choice;
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
-    const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
+    const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
     choice.active[k] = model.walls[w].normal.dot(x) - walls.place[w] <= walls.touching;
   }
   return choice;
@@ -119,7 +118,7 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size
                              WallContact& walls) {
   const LocalIndex index = walls.node_of[own];
   if (index == no_index) return nullptr;
-  WallNode& node = walls.nodes[static_cast<std::size_t>(index)];
+  WallNode& node = nth(walls.nodes, index);
   std::array<WallMeeting, WallChoice::most> meetings;
   const auto count = static_cast<std::size_t>(node.looked_at);
   for (std::size_t k = 0; k < count; ++k) {
@@ -138,7 +137,7 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size
 
 const WallAction* action_of(const WallContact& walls, std::size_t own) {
   const LocalIndex index = walls.any() ? walls.node_of[own] : no_index;
-  return index == no_index ? nullptr : &walls.nodes[static_cast<std::size_t>(index)].action;
+  return index == no_index ? nullptr : &nth(walls.nodes, index).action;
 }
 
 void add_branches(const WallContact& walls, std::vector<std::uint8_t>& branches) {
@@ -166,9 +165,9 @@ WallForces forces_of(const model::Model& model, const WallContact& walls, std::s
   WallForces forces;
   const LocalIndex index = walls.node_of[own];
   if (index == no_index) return forces;
-  const WallNode& node = walls.nodes[static_cast<std::size_t>(index)];
+  const WallNode& node = nth(walls.nodes, index);
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
-    const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
+    const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
     forces.normal += node.action.pressure[k] * model.walls[w].normal;
   }
   forces.friction = node.action.friction;
@@ -185,7 +184,7 @@ void keep_walls(const comm::Communicator& ranks, const model::Model& model, doub
     double largest = 0;
     std::size_t pushes = 0;  // friction of a node at several walls is assigned to the one with the largest pressure
     for (std::int32_t k = 0; k < node.looked_at; ++k) {
-      const auto w = static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(node.kept[k])]);
+      const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
       const double pressure = node.action.pressure[k];
       for (std::size_t c = 0; c < 3; ++c) sums[3 * w + c].add(pressure * model.walls[w].normal[static_cast<int>(c)]);
       if (pressure <= largest) continue;

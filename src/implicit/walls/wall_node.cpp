@@ -50,7 +50,7 @@ Held hold(const WallQuestion& question, const bool (&active)[most]) {
     take_out(normal, held.tangent);
     held.along.col(held.count) = question.free * normal;
     held.normals.col(held.count) = normal;
-    held.wall[static_cast<std::size_t>(held.count++)] = w;
+    nth(held.wall, held.count++) = w;
   }
   if (held.count == 0) return held;
   const int n = held.count;
@@ -65,7 +65,7 @@ std::array<double, most> pressures(const Held& held, const Vec3& left) {
   std::array<double, most> pressure{};
   if (held.count == 0) return pressure;
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> found = held.lift().transpose() * left;
-  for (int k = 0; k < held.count; ++k) pressure[held.wall[static_cast<std::size_t>(k)]] = found[k];
+  for (int k = 0; k < held.count; ++k) pressure[nth(held.wall, k)] = found[k];
   return pressure;
 }
 
@@ -97,7 +97,7 @@ double pressing_slope(const WallMeeting& meeting, double pressure) {
 double capacity(const WallQuestion& question, const Held& held, const WallAction& action) {
   double sum = 0;
   for (int k = 0; k < held.count; ++k) {
-    const std::size_t w = held.wall[static_cast<std::size_t>(k)];
+    const std::size_t w = nth(held.wall, k);
     sum += question.meetings[w].friction * pressing(question.meetings[w], action.pressure[w]);
   }
   return sum;
@@ -116,8 +116,8 @@ void add_friction(const WallQuestion& question, const Held& held, WallAction& ac
     slope = most_friction * spring / size * (held.slides * (held.tangent - direction * direction.transpose()));
     const auto lift = held.lift();
     for (int k = 0; k < held.count; ++k) {
-      const WallMeeting& meeting = question.meetings[held.wall[static_cast<std::size_t>(k)]];
-      const double by_pressure = pressing_slope(meeting, action.pressure[held.wall[static_cast<std::size_t>(k)]]);
+      const WallMeeting& meeting = question.meetings[nth(held.wall, k)];
+      const double by_pressure = pressing_slope(meeting, action.pressure[nth(held.wall, k)]);
       action.rows -= meeting.friction * by_pressure * (held.slides * direction) * lift.col(k).transpose();
     }
   }
@@ -136,12 +136,11 @@ WallAction act(const WallQuestion& question, const WallChoice& solved) {
   if (held.count == 0) return action;
   std::ranges::copy(pressures(held, question.left), action.pressure);
   bool rubs = false;
-  for (int k = 0; k < held.count; ++k)
-    rubs = rubs || question.meetings[held.wall[static_cast<std::size_t>(k)]].friction > 0;
+  for (int k = 0; k < held.count; ++k) rubs = rubs || question.meetings[nth(held.wall, k)].friction > 0;
   if (rubs) add_friction(question, held, action);
   const auto lift = held.lift();
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> gap(held.count);
-  for (int k = 0; k < held.count; ++k) gap[k] = question.meetings[held.wall[static_cast<std::size_t>(k)]].gap;
+  for (int k = 0; k < held.count; ++k) gap[k] = question.meetings[nth(held.wall, k)].gap;
   action.left += question.stiffness * (lift * gap);
   action.own += question.stiffness * (lift * held.normals.leftCols(held.count).transpose());
   return action;

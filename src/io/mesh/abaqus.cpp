@@ -119,7 +119,7 @@ class MeshMaker {
     }
     const auto free = std::ranges::find(taken, false);
     if (free != taken.end()) {
-      const AbaqusElement& element = part.elements[static_cast<std::size_t>(free - taken.begin())];
+      const AbaqusElement& element = nth(part.elements, free - taken.begin());
       deck_.fail(element.line,
                  fmt::format(
                      "missing *SOLID SECTION for element {}; expected a section for each solid element, or none at all",
@@ -137,16 +137,15 @@ class MeshMaker {
       const auto [found, is_new] =
           at.try_emplace({names[e], shape_of(element)}, static_cast<LocalIndex>(mesh_.blocks.size()));
       if (is_new) add_block(placed, names[e], shape_of(element));
-      Block& block = mesh_.blocks[static_cast<std::size_t>(found->second)];
+      Block& block = nth(mesh_.blocks, found->second);
       placed.element.emplace_back(found->second, block.count());
       const auto corners = hex_corners(element.corners);
       for (int k = 0; k < mesh::nodes_per_element(block.shape); ++k)
-        block.nodes.push_back(placed.first_node +
-                              element.nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]);
+        block.nodes.push_back(placed.first_node + nth(element.nodes, nth(corners, k)));
       block.element_id.push_back(alone ? element.number : ++elements_);
     }
     for (const auto& [key, b] : at) {  // both shapes: the tetrahedra are told apart
-      Block& block = mesh_.blocks[static_cast<std::size_t>(b)];
+      Block& block = nth(mesh_.blocks, b);
       if (key.second == Shape::tet4 && at.contains({key.first, Shape::hex8})) block.name += "_tet4";
     }
   }
@@ -195,7 +194,7 @@ class MeshMaker {
   /// own: of a part's scope; of the assembly each member says its own. Null: of no instance.
   Placed* placed_of(const AbaqusMembers& members, Placed* own) {
     if (own != nullptr) return own;
-    return members.instance < 0 ? nullptr : &placed_[static_cast<std::size_t>(members.instance)];
+    return members.instance < 0 ? nullptr : &nth(placed_, members.instance);
   }
 
   template <class Visit>
@@ -231,9 +230,8 @@ class MeshMaker {
                     deck_.fail(line, fmt::format("invalid member of '{}': element {} is not a solid element of first "
                                                  "order, so its nodes are not read; expected solid elements",
                                                  excerpt(name), number));
-                  const AbaqusElement& element = placed->part->elements[static_cast<std::size_t>(solid->second)];
-                  for (int k = 0; k < element.corners; ++k)
-                    nodes.insert(placed->first_node + element.nodes[static_cast<std::size_t>(k)]);
+                  const AbaqusElement& element = nth(placed->part->elements, solid->second);
+                  for (int k = 0; k < element.corners; ++k) nodes.insert(placed->first_node + nth(element.nodes, k));
                 });
     if (points > 0)
       notes_.insert(fmt::format("node set {}: {} points of the assembly are not read", excerpt(name), points));
@@ -276,7 +274,7 @@ class MeshMaker {
       });
     }
     for (const Side& side : sides) {
-      const Block& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
+      const Block& block = nth(mesh_.blocks, side.block);
       for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(side.element), side.face))
         if (node != no_index) nodes.insert(node);
     }
@@ -296,9 +294,9 @@ class MeshMaker {
   }
 
   void add_sides(const Placed& placed, LocalIndex e, const AbaqusSurface::Piece& piece, std::set<Side>& sides) {
-    const AbaqusElement& element = placed.part->elements[static_cast<std::size_t>(e)];
-    const auto [b, position] = placed.element[static_cast<std::size_t>(e)];
-    const Block& block = mesh_.blocks[static_cast<std::size_t>(b)];
+    const AbaqusElement& element = nth(placed.part->elements, e);
+    const auto [b, position] = nth(placed.element, e);
+    const Block& block = nth(mesh_.blocks, b);
     const auto all = sides_of(element.corners);
     if (piece.face < 0)
       deck_.fail(piece.line,
@@ -308,9 +306,9 @@ class MeshMaker {
                                          element.number, piece.face));
     std::array<LocalIndex, 4> wanted{no_index, no_index, no_index, no_index};
     if (piece.face > 0) {
-      const FaceCorners& corners = all[static_cast<std::size_t>(piece.face - 1)];
+      const FaceCorners& corners = nth(all, piece.face - 1);
       for (std::size_t k = 0; k < 4 && corners[k] > 0; ++k)
-        wanted[k] = placed.first_node + element.nodes[static_cast<std::size_t>(corners[k] - 1)];
+        wanted[k] = placed.first_node + nth(element.nodes, corners[k] - 1);
       std::ranges::sort(wanted);
     }
     for (int f = 0; f < mesh::faces_per_element(block.shape); ++f) {

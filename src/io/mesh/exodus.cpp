@@ -206,8 +206,7 @@ std::vector<FileBlock> read_blocks(const ExodusFile& file, const ex_init_params&
   file.succeed(ex_get_id_map(file.id(), EX_ELEM_MAP, numbers.data()), "element numbers");
   auto next = numbers.begin();
   for (const FileBlock& of : blocks) {
-    if (of.block != no_index)
-      content.mesh.blocks[static_cast<std::size_t>(of.block)].element_id.assign(next, next + of.count);
+    if (of.block != no_index) nth(content.mesh.blocks, of.block).element_id.assign(next, next + of.count);
     next += of.count;
   }
   return blocks;

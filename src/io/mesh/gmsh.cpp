@@ -74,7 +74,7 @@ void add_blocks(const GmshFile& file, Mesh& mesh) {
     Block& block = mesh.blocks[position[volume_of(element)]];
     const auto corners = hex_corners(element.corners);
     for (int k = 0; k < mesh::nodes_per_element(block.shape); ++k)
-      block.nodes.push_back(element.nodes[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]);
+      block.nodes.push_back(nth(element.nodes, nth(corners, k)));
     block.element_id.push_back(element.number);
   }
 }

@@ -115,7 +115,7 @@ class Sections {
     std::array<std::int64_t, 4> count{};
     for (auto& n : count) n = in_.count("a number of entities");
     for (int dimension = 0; dimension < 4; ++dimension)
-      for (std::int64_t left = count[static_cast<std::size_t>(dimension)]; left > 0; --left) {
+      for (std::int64_t left = nth(count, dimension); left > 0; --left) {
         in_.need_line("an entity");
         const std::int64_t entity = in_.integer("the number of an entity");
         for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in_.real("a bound of the entity");
@@ -226,7 +226,7 @@ class Sections {
       if (found == index_.end())
         in_.fail(fmt::format("invalid element {}: unknown node {}; expected nodes defined in $Nodes", element.number,
                              number));
-      element.nodes[static_cast<std::size_t>(k)] = found->second;
+      nth(element.nodes, k) = found->second;
     }
     if (!in_.rest().empty())
       in_.fail(fmt::format("invalid line: too many nodes; expected {} for this element type", kind.nodes));

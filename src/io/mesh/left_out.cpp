@@ -142,11 +142,10 @@ class Leaver {
       return side.block >= 0 && side.block < static_cast<LocalIndex>(place.size());
     };
     for (auto& [name, sides] : mesh.side_sets) {
-      const auto gone = static_cast<std::size_t>(std::erase_if(sides, [&](const Side& side) {
-        return is_known(side) && drop_block_[static_cast<std::size_t>(side.block)];
-      }));
+      const auto gone = static_cast<std::size_t>(
+          std::erase_if(sides, [&](const Side& side) { return is_known(side) && nth(drop_block_, side.block); }));
       for (Side& side : sides)
-        if (is_known(side)) side.block = place[static_cast<std::size_t>(side.block)];
+        if (is_known(side)) side.block = nth(place, side.block);
       const auto foreign = content_.foreign_sides.find(name);
       const std::size_t lost =
           gone + static_cast<std::size_t>(foreign == content_.foreign_sides.end() ? 0 : foreign->second);

@@ -53,7 +53,7 @@ LocalIndex TableLayout::held(const model::StateArray& array) const {
 }
 
 LocalIndex TableLayout::entity(const model::StateArray& array, LocalIndex i) const {
-  return array.entity == Entity::node ? node_[static_cast<std::size_t>(i)] : i;
+  return array.entity == Entity::node ? nth(node_, i) : i;
 }
 
 RowRange TableLayout::rows(const SavedTable& table) const {
@@ -75,8 +75,7 @@ std::vector<double> TableLayout::to_blocks(const SavedTable& table) const {
   std::vector<double> held_column(static_cast<std::size_t>(held(array))),
       column(static_cast<std::size_t>(rows(table).count));
   for (int c = 0; c < array.components; ++c) {
-    for (LocalIndex i = 0; i < held(array); ++i)
-      held_column[static_cast<std::size_t>(i)] = array.at(entity(array, i), c);
+    for (LocalIndex i = 0; i < held(array); ++i) nth(held_column, i) = array.at(entity(array, i), c);
     redistribution(array).to_blocks(held_column, column, 1);
     for (std::size_t i = 0; i < column.size(); ++i) block[i * width + static_cast<std::size_t>(c)] = column[i];
   }

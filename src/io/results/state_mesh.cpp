@@ -24,8 +24,7 @@ StateBlock state_block(const mesh::LocalMesh& mesh, std::size_t b) {
   const mesh::LocalBlock& local = mesh.blocks[b];
   StateBlock block{mesh.block_name[b], mesh.block_id[b], local.shape, local.input, {}, {}};
   block.nodes.reserve(local.nodes.size());
-  for (const LocalIndex node : local.nodes)
-    block.nodes.push_back(static_cast<LocalIndex>(mesh.input_node[static_cast<std::size_t>(node)]));
+  for (const LocalIndex node : local.nodes) block.nodes.push_back(static_cast<LocalIndex>(nth(mesh.input_node, node)));
   return block;
 }
 

@@ -113,7 +113,7 @@ class PlyParser {
           skip(vertex_.properties[k]);
           continue;
         }
-        x[axis] = body_.real(vertex_.properties[k].type, names[static_cast<std::size_t>(axis)]);
+        x[axis] = body_.real(vertex_.properties[k].type, nth(names, axis));
         const std::string fault = coordinate_fault(static_cast<int>(axis), x[axis]);
         if (!fault.empty()) body_.fail(fault);
       }

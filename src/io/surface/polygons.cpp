@@ -45,11 +45,11 @@ class Splitter {
       return Split::done;
     }
     x_.clear();
-    for (const LocalIndex corner : corners) x_.push_back(surface_.points[static_cast<std::size_t>(corner)]);
+    for (const LocalIndex corner : corners) x_.push_back(nth(surface_.points, corner));
     parts_.clear();
     const Split split = corners.size() == 4 ? split_quadrilateral(std::span<const Vec3, 4>(x_.data(), 4), parts_)
                                             : clipping_.split(x_, parts_);
-    const auto corner = [&](LocalIndex position) { return corners[static_cast<std::size_t>(position)]; };
+    const auto corner = [&](LocalIndex position) { return nth(corners, position); };
     for (const auto& [a, b, c] : parts_) surface_.triangles.push_back({corner(a), corner(b), corner(c)});
     return split;
   }

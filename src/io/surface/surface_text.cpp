@@ -108,7 +108,7 @@ Vec3 TextCursor::point() {
   constexpr std::array<std::string_view, 3> coordinates = {"coordinate x", "coordinate y", "coordinate z"};
   Vec3 x;
   for (int axis = 0; axis < 3; ++axis) {
-    x[axis] = real(coordinates[static_cast<std::size_t>(axis)]);
+    x[axis] = real(nth(coordinates, axis));
     if (const std::string fault = coordinate_fault(axis, x[axis]); !fault.empty()) fail(fault);
   }
   return x;
@@ -120,7 +120,7 @@ void TextCursor::fail(const std::string& fault) const {
 
 std::string coordinate_fault(int axis, double value) {
   if (std::abs(value) <= largest_coordinate) return {};
-  const std::string_view name = axis_names[static_cast<std::size_t>(axis)];
+  const std::string_view name = nth(axis_names, axis);
   // the sign of a NaN means nothing
   if (std::isnan(value)) return fmt::format("invalid coordinate {}: nan; expected a finite number", name);
   if (std::isinf(value)) return fmt::format("invalid coordinate {}: {}; expected a finite number", name, value);

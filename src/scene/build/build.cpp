@@ -33,8 +33,7 @@ AlignedVector<LocalIndex> batched(const std::vector<LocalIndex>& nodes, int corn
       for (int lane = 0; lane < pack_width; ++lane) {
         const std::ptrdiff_t row = std::ptrdiff_t{batch} * corners + c;
         const std::ptrdiff_t element = std::min(batch * pack_width + lane, count - 1);
-        result[static_cast<std::size_t>(row * pack_width + lane)] =
-            nodes[static_cast<std::size_t>(element * corners + c)];
+        nth(result, row * pack_width + lane) = nth(nodes, element * corners + c);
       }
   return result;
 }

@@ -31,7 +31,7 @@ void hold(const Input& input, const model::Model& model, HeldNodes& held, const 
       faults.push_back(
           fmt::format("{}: invalid constraint: node {} is also constrained in the same direction by {}; expected one "
                       "constraint for each direction of a node",
-                      input.at(what.source), model.mesh.node_id[static_cast<std::size_t>(node)], other.source));
+                      input.at(what.source), nth(model.mesh.node_id, node), other.source));
       reported = true;
     }
     held[node].push_back(what);
@@ -46,7 +46,7 @@ model::ConstrainedNode projector(LocalIndex node, const std::vector<Held>& held)
     if (rest.norm() > 1e-9) constrained.free -= rest.normalized() * rest.normalized().transpose();
     if (one.drive >= 0)
       for (int c = 0; c < 3; ++c)
-        if (one.direction[c] != 0) constrained.drive[static_cast<std::size_t>(c)] = one.drive;
+        if (one.direction[c] != 0) nth(constrained.drive, c) = one.drive;
   }
   if (constrained.free.cwiseAbs().maxCoeff() < 1e-9) constrained.free.setZero();
   return constrained;
@@ -62,7 +62,7 @@ void build_constraints(const Input& input, model::Model& model) {
   };
   for (std::size_t k = 0; k < input.fixed.size(); ++k)
     for (int c = 0; c < 3; ++c)
-      if (!names_rigid_part(input, input.fixed[k].where) && input.fixed[k].dofs[static_cast<std::size_t>(c)])
+      if (!names_rigid_part(input, input.fixed[k].where) && nth(input.fixed[k].dofs, c))
         hold(input, model, held, nodes("fixed", k), {Vec3::Unit(c), -1, fmt::format("fixed.{}", k)}, faults);
   for (std::size_t k = 0; k < input.symmetry.size(); ++k)
     hold(input, model, held, nodes("symmetry", k),

@@ -86,8 +86,7 @@ contact::Specification contact_specification(const Input& input, std::span<const
   for (const ContactEntry& entry : input.contact)
     for (std::int32_t a = 0; a < n && !entry.mortar; ++a)
       for (std::int32_t b = a; b < n; ++b) {
-        const std::string &first = part_of_block[static_cast<std::size_t>(a)],
-                          &second = part_of_block[static_cast<std::size_t>(b)];
+        const std::string &first = nth(part_of_block, a), &second = nth(part_of_block, b);
         contact::PairSpecification pair = specification.pairs.at(a, b);
         if (apply(input, entry, first, second, a == b, pair)) specification.pairs.set(a, b, pair);
       }

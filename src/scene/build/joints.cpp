@@ -28,7 +28,7 @@ void build_pivot(const Input& input, const Vec3& reference, LocalIndex index, mo
   pivot.joint.kind = rigid::JointKind::pivot;
   pivot.joint.holds = {};
   pivot.body = {index, no_index};
-  const std::string& part = model.bodies[static_cast<std::size_t>(index)].part;
+  const std::string& part = nth(model.bodies, index).part;
   for (const Fixed& entry : input.fixed)
     for (std::size_t c = 0; c < 3; ++c)
       if (entry.where == part && entry.dofs[c]) add_support(c, std::nullopt, pivot);

@@ -22,7 +22,7 @@ NamedNodes::Nodes NamedNodes::of_part(const std::string& part) const {
   std::vector<char> touched(whole_.mesh.coordinates.size(), 0);
   for (std::size_t b = 0; b < part_of_block_.size(); ++b)
     if (part_of_block_[b] == part)
-      for (const LocalIndex node : whole_.mesh.blocks[b].nodes) touched[static_cast<std::size_t>(node)] = 1;
+      for (const LocalIndex node : whole_.mesh.blocks[b].nodes) nth(touched, node) = 1;
   Nodes nodes;
   nodes.reserve(static_cast<std::size_t>(std::ranges::count(touched, 1)));
   for (std::size_t i = 0; i < touched.size(); ++i)
@@ -33,7 +33,7 @@ NamedNodes::Nodes NamedNodes::of_part(const std::string& part) const {
 NamedNodes::Nodes NamedNodes::of_sides(const std::vector<mesh::Side>& sides) const {
   Nodes nodes;
   for (const mesh::Side& side : sides) {
-    const mesh::Block& block = whole_.mesh.blocks[static_cast<std::size_t>(side.block)];
+    const mesh::Block& block = nth(whole_.mesh.blocks, side.block);
     for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(side.element), side.face))
       if (node != no_index) nodes.push_back(node);
   }
@@ -94,7 +94,7 @@ std::optional<NamedNodes::Nodes> NamedNodes::of_entry(const SetEntry& set) const
     for (std::size_t i = 0; i < nodes->size(); ++i) (*nodes)[i] = static_cast<LocalIndex>(i);
   }
   std::erase_if(*nodes, [&](LocalIndex node) {
-    const Vec3 X = whole_.mesh.coordinates[static_cast<std::size_t>(node)] + whole_.origin;
+    const Vec3 X = nth(whole_.mesh.coordinates, node) + whole_.origin;
     const Vec3 slack = Vec3::Constant(on_plane_);  // so that a box drawn on the nodes holds them
     return ((*set.box)[0] - slack - X).maxCoeff() > 0 || (X - (*set.box)[1] - slack).maxCoeff() > 0;
   });

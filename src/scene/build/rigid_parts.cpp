@@ -29,7 +29,7 @@ class BodyOfNode {
       if (!names_rigid_part(input, part_of_block[b])) continue;
       const std::size_t lead = find(lead_of(input, part_of_block[b]));
       for (const LocalIndex node : whole.mesh.blocks[b].nodes) {
-        std::size_t& body = body_[static_cast<std::size_t>(node)];
+        std::size_t& body = nth(body_, node);
         if (body == lead) continue;
         if (body != none) {
           shared_ = {body, lead, static_cast<std::size_t>(node)};
@@ -45,7 +45,7 @@ class BodyOfNode {
     std::size_t first, second, node;
   };
 
-  [[nodiscard]] std::size_t of(LocalIndex node) const { return body_[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] std::size_t of(LocalIndex node) const { return nth(body_, node); }
   [[nodiscard]] const std::string& part(std::size_t body) const { return part_[body]; }
   /// The body led by this part.
   [[nodiscard]] std::size_t find(const std::string& part) const {
@@ -87,8 +87,8 @@ void refuse_node_supports(const Input& input, const BodyOfNode& bodies, const me
       faults.push_back(reported(input, fmt::format("{}.{}", list, k),
                                 "invalid selection: node {} of '{}' belongs to the rigid part '{}', which moves as a "
                                 "whole; expected part: {}, or nodes of deformable parts only",
-                                whole.mesh.node_id[static_cast<std::size_t>(node)], excerpt(where),
-                                excerpt(bodies.part(body)), excerpt(bodies.part(body))));
+                                nth(whole.mesh.node_id, node), excerpt(where), excerpt(bodies.part(body)),
+                                excerpt(bodies.part(body))));
       return;
     }
   };
@@ -109,8 +109,8 @@ void refuse_node_reactions(const Input& input, const BodyOfNode& bodies, const m
         reported(input, fmt::format("probes.{}", k),
                  "invalid field 'reaction': node {} of '{}' belongs to the rigid part '{}', whose supports "
                  "act on the whole body; expected part: {}, or nodes of deformable parts only",
-                 whole.mesh.node_id[static_cast<std::size_t>(*node)], excerpt(probe.where),
-                 excerpt(bodies.part(bodies.of(*node))), excerpt(bodies.part(bodies.of(*node)))));
+                 nth(whole.mesh.node_id, *node), excerpt(probe.where), excerpt(bodies.part(bodies.of(*node))),
+                 excerpt(bodies.part(bodies.of(*node)))));
   }
 }
 
@@ -154,7 +154,7 @@ std::vector<LocalIndex> forced_nodes(const Input& input, const BodyOfNode& bodie
   const auto add_sides = [&](const std::string& set) {
     if (const auto sides = whole.mesh.side_sets.find(set); sides != whole.mesh.side_sets.end())
       for (const mesh::Side& side : sides->second) {
-        const mesh::Block& block = whole.mesh.blocks[static_cast<std::size_t>(side.block)];
+        const mesh::Block& block = nth(whole.mesh.blocks, side.block);
         for (const LocalIndex node : mesh::face_nodes(block.shape, block.element(side.element), side.face)) add(node);
       }
   };
@@ -202,15 +202,15 @@ void build_supports(const Input& input, const mesh::LocalMesh& mesh, model::Rigi
   for (const Fixed& entry : input.fixed) {
     if (entry.where != body.part) continue;
     for (int c = 0; c < 3; ++c) {
-      if (of_centre && entry.dofs[static_cast<std::size_t>(c)]) body.held_shift.push_back(Vec3::Unit(c));
-      if (entry.turns[static_cast<std::size_t>(c)]) body.held_turn.push_back(Vec3::Unit(c));
+      if (of_centre && nth(entry.dofs, c)) body.held_shift.push_back(Vec3::Unit(c));
+      if (nth(entry.turns, c)) body.held_turn.push_back(Vec3::Unit(c));
     }
   }
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& entry = input.prescribed[k];
     if (entry.where != body.part || (entry.dof < 3 && !of_centre)) continue;
     (entry.dof < 3 ? body.held_shift : body.held_turn).push_back(Vec3::Unit(entry.dof % 3));
-    body.drive[static_cast<std::size_t>(entry.dof)] = static_cast<std::int32_t>(k);
+    nth(body.drive, entry.dof) = static_cast<std::int32_t>(k);
   }
   for (std::size_t k = 0; k < input.symmetry.size(); ++k) {
     const std::vector<LocalIndex>& plane = mesh.node_sets.at(selection_name("symmetry", k));

@@ -132,7 +132,7 @@ class Selector {
     Nodes nodes;
     std::vector<char> counts(whole_.mesh.coordinates.size(), parts.empty() ? 1 : 0);
     for_each_corner([&](std::size_t block, std::size_t /*element*/, LocalIndex node) {
-      if (acts_on(parts, block)) counts[static_cast<std::size_t>(node)] = 1;
+      if (acts_on(parts, block)) nth(counts, node) = 1;
     });
     for (std::size_t i = 0; i < whole_.mesh.coordinates.size(); ++i)
       if (counts[i] != 0 && std::abs((whole_.mesh.coordinates[i] - (point - whole_.origin)).dot(normal.normalized())) <=
@@ -151,7 +151,7 @@ class Selector {
     std::map<std::int32_t, std::size_t> block_of;
     for_each_corner([&](std::size_t block, std::size_t element, LocalIndex node) {
       if (!acts_on(wall.parts, block)) return;
-      const Vec3& X = whole_.mesh.coordinates[static_cast<std::size_t>(node)];
+      const Vec3& X = nth(whole_.mesh.coordinates, node);
       const double height = (X + whole_.origin - wall.point).dot(wall.normal.normalized());
       block_of.try_emplace(body[element], block);
       auto& [lowest, highest] = range.try_emplace(body[element], std::array{height, height}).first->second;

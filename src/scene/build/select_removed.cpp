@@ -48,7 +48,7 @@ std::vector<std::string> select_removed(const Input& input, mesh::CanonicalMesh&
   std::vector<char> removed(whole.mesh.coordinates.size(), 0);
   for (std::size_t b = 0; b < whole.mesh.blocks.size(); ++b)
     if (erodes(*std::ranges::find(input.parts, part_of_block[b], &Part::name)))
-      for (const GlobalIndex node : whole.mesh.blocks[b].nodes) removed[static_cast<std::size_t>(node)] = 1;
+      for (const GlobalIndex node : whole.mesh.blocks[b].nodes) nth(removed, node) = 1;
   for (std::size_t k = 0; k < input.remove.size(); ++k) {
     const std::string &where = input.remove[k].where, part = fmt::format("remove.{}.part", k);
     const std::string key = input.at(input.places.has(part) ? part : fmt::format("remove.{}.set", k));
@@ -62,7 +62,7 @@ std::vector<std::string> select_removed(const Input& input, mesh::CanonicalMesh&
           fmt::format("{}: invalid selection: '{}' contains no complete deformable element; expected a set with all "
                       "nodes of at least one element",
                       key, excerpt(where)));
-    for (const LocalIndex node : set->second) removed[static_cast<std::size_t>(node)] = 1;
+    for (const LocalIndex node : set->second) nth(removed, node) = 1;
   }
   whole.mesh.side_sets[mesh::inner_faces] = mesh::interior_sides(whole.mesh, removed);
   return faults;

@@ -58,22 +58,22 @@ std::size_t make_section(const Probe& probe, std::size_t entry, std::span<const 
   std::vector<char> behind(count, 0), front(count, 0);
   if (probe.normal.isZero()) {
     for_elements(whole.mesh, part_of_block, probe.parts, [&](auto element) {
-      for (const LocalIndex node : element) behind[static_cast<std::size_t>(node)] = 1;
+      for (const LocalIndex node : element) nth(behind, node) = 1;
     });
     const auto found = whole.mesh.node_sets.find(name);
     if (found == whole.mesh.node_sets.end()) return 0;
     Nodes& nodes = found->second;
-    std::erase_if(nodes, [&](LocalIndex node) { return !behind[static_cast<std::size_t>(node)]; });
+    std::erase_if(nodes, [&](LocalIndex node) { return !nth(behind, node); });
     return nodes.size();
   }
   const auto in_front = [&](LocalIndex node) {
-    const Vec3 X = whole.mesh.coordinates[static_cast<std::size_t>(node)] + whole.origin;
+    const Vec3 X = nth(whole.mesh.coordinates, node) + whole.origin;
     return (X - probe.point).dot(probe.normal) > on_plane;
   };
   for_elements(whole.mesh, part_of_block, probe.parts, [&](auto element) {
     const auto ahead = std::ranges::count_if(element, in_front);
     if (ahead == 0 || ahead == static_cast<std::ptrdiff_t>(element.size())) return;
-    for (const LocalIndex node : element) (in_front(node) ? front : behind)[static_cast<std::size_t>(node)] = 1;
+    for (const LocalIndex node : element) nth((in_front(node) ? front : behind), node) = 1;
   });
   whole.mesh.node_sets[name] = marked(behind);
   whole.mesh.node_sets[selection_name("front", entry)] = marked(front);

@@ -29,7 +29,7 @@ void read_sides(const Key& key, GivenBody& body, std::size_t size, std::string_v
   for (const Key& one : named) {
     int side = 0;
     if (!read(one, side, choices)) continue;
-    int& kept = body.half[static_cast<std::size_t>(std::abs(side) - 1)];
+    int& kept = nth(body.half, std::abs(side) - 1);
     if (kept != 0)
       fault(one, fmt::format("invalid side '{}': axis {} is named twice; expected each axis once", one.tree->text,
                              "xyz"[std::abs(side) - 1]));

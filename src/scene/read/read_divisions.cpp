@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "given_body.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brunt::scene {
 namespace {

@@ -206,7 +206,7 @@ bool read(const Key& key, std::string& target, std::string_view expected) {
 bool read(const Key& key, std::string& target, Named kind) {
   constexpr std::array words{"the name of a material", "the name of a curve", "the name of a part",
                              "the name of a rigid wall"};
-  if (!read(key, target, words[static_cast<std::size_t>(kind)])) return false;
+  if (!read(key, target, nth(words, kind))) return false;
   key.findings->references.push_back({key.place, key.path, target, kind});
   return true;
 }
@@ -278,7 +278,7 @@ bool read(const Key& key, std::span<bool> marked, const Choices<int>& directions
       good = false;
       continue;
     }
-    bool& mark = marked[static_cast<std::size_t>(direction)];
+    bool& mark = nth(marked, direction);
     if (mark)
       fault(one, fmt::format("invalid direction '{}': listed twice; expected each direction once", one.tree->text));
     good = good && !mark;

@@ -122,7 +122,7 @@ bool indented_by_tabs(const std::string& text, const std::string& file, Faults& 
 
 const Tree* Tree::find(std::string_view key) const {
   const auto found = std::find(keys.begin(), keys.end(), key);
-  return found == keys.end() ? nullptr : &children[static_cast<std::size_t>(found - keys.begin())];
+  return found == keys.end() ? nullptr : &nth(children, found - keys.begin());
 }
 
 Tree* Tree::find(std::string_view key) {

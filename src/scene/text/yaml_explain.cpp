@@ -62,7 +62,7 @@ class Explainer {
   Explainer(const std::string& text, const YAML::Exception& error) : lines_(lines_of(text)), error_(error) {
     line_ = std::clamp(error.mark.line, 0, static_cast<int>(lines_.size()) - 1);
     above_ = line_ - 1;
-    while (above_ >= 0 && is_empty(lines_[static_cast<std::size_t>(above_)])) --above_;
+    while (above_ >= 0 && is_empty(nth(lines_, above_))) --above_;
   }
 
   [[nodiscard]] YamlFault fault() const {
@@ -73,7 +73,7 @@ class Explainer {
   }
 
  private:
-  [[nodiscard]] const std::string& at(int line) const { return lines_[static_cast<std::size_t>(line)]; }
+  [[nodiscard]] const std::string& at(int line) const { return nth(lines_, line); }
 
   [[nodiscard]] std::optional<std::string> too_deep() const {
     if (above_ < 0 || indentation(at(line_)) <= indentation(at(above_))) return {};
