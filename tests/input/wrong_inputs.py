@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 import tiny_meshes as mesh
 import wrong_depths
+import wrong_joints
 import wrong_scripts
 
 GOOD = """\
@@ -42,21 +43,6 @@ class Wrong:
 
 def changed(name, old, new, *says, **more):
     return Wrong(name, list(says), (old, new), **more)
-
-
-def joints(what, entries, *says, more="", law="{model: rigid, density: 1}", step=", step: 1.0e-3"):
-    """Two boxes side by side with joints."""
-    scene = f"""\
-units: SI
-mesh:
-  - {{box: {{part: a, size: [1, 1, 1], elements: [1, 1, 1]}}}}
-  - {{box: {{part: b, size: [1, 1, 1], elements: [1, 1, 1], at: [1.5, 0, 0]}}}}
-materials: {{hard: {law}}}
-parts: {{a: {{material: hard}}, b: {{material: hard}}}}
-joints: [{entries}]
-run: {{end: 1{step}}}
-{more}"""
-    return Wrong(f"joint {what}", list(says), scene=scene)
 
 
 def with_mesh(name, content, *says, file="bar.msh"):
@@ -224,34 +210,6 @@ SCENES = [
             "scene.yaml:15: rigid_walls.0", "passes through a body", "expected", lines=1),
     changed("rigid wall with the body behind it", "run:", "rigid_walls:\n  - {point: [0, 0, -1], normal: [0, 0, -1]}\nrun:",
             "rigid_walls.0.normal", "behind the wall", "expected", lines=1),
-    joints("of an unknown part", "{name: j, type: ball, between: [a, c], point: [0, 0, 0]}", "joints.0.between.1", "unknown part 'c'",
-           "expected"),
-    joints("of an unknown type", "{name: j, type: hinge, between: [a, b], point: [0, 0, 0]}", "joints.0.type", "'hinge'", "ball"),
-    joints("of a later type", "{name: j, type: universal, between: [a, b], point: [0, 0, 0]}", "joints.0.type", "universal", "expected"),
-    joints("without an axis", "{name: j, type: revolute, between: [a, b], point: [0, 0, 0]}", "joints.0", "axis", "expected"),
-    joints("with an axis of no length", "{name: j, type: revolute, between: [a, b], point: [0, 0, 0], axis: [0, 0, 0]}", "joints.0.axis",
-           "expected"),
-    joints("of a ball with an axis", "{name: j, type: ball, between: [a, b], point: [0, 0, 0], axis: [0, 0, 1]}", "joints.0.axis",
-           "ball joint", "expected"),
-    joints("of one part", "{name: j, type: ball, between: [a], point: [0, 0, 0]}", "joints.0.between", "expected two rigid parts"),
-    joints("of a part with itself", "{name: j, type: ball, between: [a, a], point: [0, 0, 0]}", "joints.0.between", "one body", "expected"),
-    joints("of the ground with itself", "{name: j, type: ball, between: [ground, ground], point: [0, 0, 0]}", "joints.0.between",
-           "ground with itself", "expected"),
-    joints("with an angle", "{name: j, type: ball, between: [a, b], point: [0, 0, 0], angle: 1}", "joints.0.angle", "expected"),
-    joints("used twice", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}, {name: j, type: ball, between: [a, ground], "
-           "point: [0, 0, 0]}", "joints.1", "'j'", "used twice"),
-    joints("opened by the motion", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "joints.0", "open joint 'j'", "expected",
-           more="initial: [{part: a, velocity: [0, 1, 0]}]\n"),
-    joints("of a deformable part", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "joints.0.between", "'a': it is deformable",
-           "expected", law="{model: elastic, density: 1, young: 1, poisson: 0}"),
-    joints("in an implicit scene", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "joints", "implicit", "expected",
-           more="solver: {scheme: contact_implicit, step: 1.0e-3}\n", step=""),
-    joints("in a scene with relaxation", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "relaxation", "joints", "expected",
-           more="relaxation: {}\ngravity: {vector: [0, 0, -1]}\n"),
-    joints("whose angle is asked for", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "probes.0.field", "'angle'", "expected",
-           more="probes: [{name: p, joint: j, field: angle}]\n"),
-    joints("asked for by a wrong name", "{name: jack, type: ball, between: [a, b], point: [0, 0, 0]}", "probes.0.joint",
-           "unknown joint 'jacke'", "did you mean 'jack'", more="probes: [{name: p, joint: jacke, field: gap}]\n"),
     changed("rigid wall without direction", "run:", "rigid_walls:\n  - {point: [0, 0, 0], normal: [0, 0, 0]}\nrun:", "normal"),
     changed("box of no elements", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [0, 1, 1]}}", "elements"),
     changed("box of half an element", "{file: bar.msh}", "{box: {part: bar, size: [1, 1, 1], elements: [1.5, 1, 1]}}", "elements", "1.5"),
@@ -440,4 +398,4 @@ STUDIES = [
 ]
 SCRIPTS += STUDIES
 
-ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES + wrong_depths.cases(Wrong)
+ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES + wrong_depths.cases(Wrong) + wrong_joints.cases(Wrong)

@@ -36,7 +36,9 @@ std::vector<std::string> faults_of_joints(const Input& input) {
       add(fmt::format("joints.{}.between", k), what);
   const bool names_ground = std::ranges::find(input.parts, ground_name, &Part::name) != input.parts.end();
   if (names_ground && !input.joints.empty())
-    add("joints", "a part is named 'ground', the word for space itself in joints; expected another name of the part");
+    add("joints",
+        "invalid in a scene with a part named 'ground', which is the word for space itself; expected another name of "
+        "the part");
   if (input.relaxation && !input.joints.empty())
     add("relaxation",
         "invalid relaxation: joints have no static state before t = 0 in this version; expected no joints");
