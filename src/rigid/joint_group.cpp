@@ -59,8 +59,11 @@ void JointSystem::form(const JointGroup& group, std::span<const Pose> pose, std:
     mobility_.block<6, 6>(at, at) = mobility[b];
   }
   std::array<JointRow, most_joint_rows> rows;
+  std::vector<char> is_axis(static_cast<std::size_t>(group.rows), 0);
   for (const JointPlace& place : group.joints) {
     const std::size_t count = joint_rows(place.joint, sides_of(place, pose), rows);
+    for (std::size_t k = 0; k < count; ++k)
+      nth(is_axis, place.first_row + static_cast<LocalIndex>(k)) = rows[k].shift[0].isZero(0);
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t side = 0; side < 2; ++side) {
         if (place.body[side] == no_index) continue;
@@ -70,9 +73,13 @@ void JointSystem::form(const JointGroup& group, std::span<const Pose> pose, std:
       }
   }
   scaled_ = slope_ * mobility_ * slope_.transpose();
-  constexpr double nothing = 1e-14;  // of the largest: rounding of what supports hold
-  const double largest = scaled_.diagonal().size() > 0 ? scaled_.diagonal().maxCoeff() : 0.0;
-  scale_ = scaled_.diagonal().unaryExpr([&](double d) { return d > nothing * largest ? 1 / std::sqrt(d) : 0.0; });
+  constexpr double nothing = 1e-14;     // of the largest of its kind: rounding of what supports hold
+  std::array<double, 2> largest{0, 0};  // of points, of axes, which have other units
+  for (Eigen::Index row = 0; row < group.rows; ++row)
+    nth(largest, nth(is_axis, row)) = std::max(nth(largest, nth(is_axis, row)), scaled_(row, row));
+  scale_.setZero(group.rows);
+  for (Eigen::Index row = 0; row < group.rows; ++row)
+    if (scaled_(row, row) > nothing * nth(largest, nth(is_axis, row))) scale_[row] = 1 / std::sqrt(scaled_(row, row));
   scaled_ = scale_.asDiagonal() * scaled_ * scale_.asDiagonal();
   constexpr double redundant = 1e-10;  // of the largest pivot: rounding of rows that others determine is 1e-15
   solver_.setThreshold(redundant);

@@ -122,6 +122,18 @@ MassMoments joined_moments(const comm::Communicator& ranks, const model::Model& 
   return sums.total(ranks);
 }
 
+/// A driven reference point begins with the velocity of its curve.
+void start_point(const model::Model& model, const model::BodyJoint& joint, std::size_t body, const Vec3& spin,
+                 rigid::BodyState& now) {
+  if (!joint.is_support() || joint.body[0] != static_cast<LocalIndex>(body)) return;
+  const Vec3 initial = now.velocity + spin.cross(joint.joint.arm[0]);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (joint.drive[c]) {
+      const auto k = static_cast<int>(c);
+      now.velocity[k] += driven_start(nth(model.drives, *joint.drive[c]), initial[k]) - initial[k];
+    }
+}
+
 }  // namespace
 
 void link_bodies(const comm::Communicator& ranks, model::Model& model) {
@@ -164,6 +176,7 @@ void start_bodies(const model::Model& model, model::State& state) {
       const model::Drive& drive = nth(model.drives, *body.drive[dof]);
       (dof < 3 ? now.velocity : spin)[c] = driven_start(drive, (dof < 3 ? velocity : body.start.spin)[c]);
     }
+    for (const model::BodyJoint& joint : model.joints) start_point(model, joint, b, spin, now);
     now.angular_momentum = rigid::angular_momentum_of(body.body, now, spin);
     for_nodes(body, [&](std::size_t k, std::size_t i) {
       Eigen::Map<Vec3>(state.nodes[i].v) = now.velocity + spin.cross(now.orientation * body.arm[k]);

@@ -144,9 +144,10 @@ void close(const model::Model& model, const model::State& state, const JointGrou
   if (widest.gap <= closed) return;
   const std::string& name = model.joints[widest.joint].name;
   throw GuardError(fmt::format(
-      "joint '{}' stays open by {:.2g} of the size of its bodies in the step from t = {:g}: likely cause: bodies that "
-      "turn by more than half a radian in a step, joints that contradict each other or a drive, or a dead centre; use "
-      "a smaller run.step",
+      "joint '{}' stays open by {:.2g} of the size of its bodies in the step from t = {:g}: likely cause: joints that "
+      "contradict each other or a drive (several hinges on one line need the same axis and points to all digits: use "
+      "one), a dead centre, masses that differ by more than 1e8, or bodies that turn by more than half a radian in a "
+      "step",
       name.empty() ? "support at a reference point" : name, widest.gap, state.time));
 }
 

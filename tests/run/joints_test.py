@@ -240,6 +240,54 @@ history: {every: 1.0e-3}
                        "fixed: [{part: rod, dofs: [y, z, rx, ry, rz]}]\nprescribed: [{part: rod, dof: x, velocity: 1}]\n", code=3)
         self.assertIn("joint 'pin' stays open by", told)
 
+    REST = """\
+units: SI
+mesh: {box: {part: rod, size: [0.1, 0.1, 1], elements: [1, 1, 4], at: [-0.05, -0.05, -1]}}
+materials: {wood: {model: rigid, density: 1000}}
+parts: {rod: {material: wood}}
+gravity: {vector: [0, 0, -9.81]}
+run: {end: 0.5, step: 1.0e-3}
+"""
+
+    def test_what_hangs_at_rest_stays_at_rest(self):
+        """The work of the weight over the rounding of a place is no energy that grows."""
+        for more in ("joints: [{name: pin, type: ball, between: [rod, ground], point: [0, 0, 0]}]\n",
+                     "joints: [{name: pin, type: revolute, between: [ground, rod], point: [0, 0, 0], axis: [0.3, 1, 0]}]\n",
+                     "fixed: [{part: rod, dofs: [x, y, z]}]\n"):
+            scene = self.REST.replace("{material: wood}}", "{material: wood, rigid: {reference: [0, 0, 0]}}}") + more + \
+                "probes: [{name: rod, part: rod, field: rotation}]\n"
+            self.assertLess(max(max(map(abs, vector(row, "rod"))) for row in self.go(scene)), 1e-12)
+
+    def test_a_reference_point_moves_as_its_probe_says(self):
+        scene = self.PIVOT.replace("field: displacement", "field: velocity") + "curves: {c: [[0, 0], [1, 0.5]]}\n" \
+            "initial: [{part: rod, velocity: [0.5, 0, 0], rotation: {axis: [0, 1, 0], rate: 3}}]\nfixed: [{part: rod, dofs: [y, z]}]\n"
+        rows = self.go(scene + "prescribed: [{part: rod, dof: x, displacement: c}]\n")
+        for row in rows[1:]:
+            self.assertAlmostEqual(row["point.x"], 0.5, delta=1e-12)
+            self.assertLess(abs(row["point.z"]), 1e-12)
+        self.assertAlmostEqual(rows[0]["point.x"], 0.5, delta=1e-12)
+        self.assertLess(abs(rows[0]["force.x"]), 200)  # no impulse brings it to its velocity
+        told = self.go(scene + "prescribed: [{part: rod, dof: x, acceleration: 1}]\n", code=2)
+        self.assertIn("prescribed.0: invalid acceleration of a reference point", told)
+
+    def test_units_do_not_decide(self):
+        """A hinge of a millionth of the unit of length, and of a billion."""
+        turns = []
+        for size in (1e-8, 1.0, 1e9):
+            scene = f"""\
+units: none
+mesh: {{box: {{part: rod, size: [{size}, {0.1 * size}, {0.1 * size}], elements: [4, 1, 1]}}}}
+materials: {{m: {{model: rigid, density: {1 / size**3}}}}}
+parts: {{rod: {{material: m}}}}
+joints: [{{name: pin, type: revolute, between: [rod, ground], point: [0, 0, 0], axis: [0, 1, 0]}}]
+gravity: {{vector: [0, 0, {-10 * size}]}}
+probes: [{{name: pin, joint: pin, field: angle}}]
+run: {{end: 0.5, step: 1.0e-3}}
+"""
+            turns.append(self.go(scene)[-1]["pin.angle"])
+        self.assertAlmostEqual(turns[0], turns[1], delta=1e-9)
+        self.assertAlmostEqual(turns[2], turns[1], delta=1e-9)
+
     def test_velocities_that_open_a_joint_are_refused(self):
         told = self.go(self.PIVOT.replace(", rigid: {reference: [0, 0, 0]}", "") +
                        "joints: [{name: pin, type: ball, between: [rod, ground], point: [0, 0, 0]}]\n"

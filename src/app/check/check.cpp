@@ -183,6 +183,9 @@ void print_contact(const Prepared& run) {
     fmt::print("rigid wall       {}: {}{}{}\n", wall.name, friction_text(wall.friction),
                wall.bilateral ? ", acts in both directions" : "",
                wall.parts.empty() ? "" : fmt::format(", acts on {}", fmt::join(wall.parts, ", ")));
+  for (const scene::Joint& joint : run.input.joints)
+    fmt::print("joint            {}: {}, {} and {}\n", joint.name,
+               joint.kind == rigid::JointKind::ball ? "ball" : "revolute", joint.between[0], joint.between[1]);
   if (!run.input.contact.empty() && !run.implicit) {
     const contact::EnforcementSettings& settings = run.input.enforcement.settings;
     fmt::print("enforcement      {}, tolerance {:g}\n", name_of(settings.method), settings.tolerance);

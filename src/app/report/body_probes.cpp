@@ -32,6 +32,19 @@ Mat3 inertia_of_part(const Prepared& run, std::size_t b) {
   return turn * run.model.bodies[b].own.inertia * turn.transpose();
 }
 
+/// How fast a point has moved in the last step beside the centre, as a chord; `arm`: at the start.
+Vec3 shift_of_arm(const Prepared& run, std::size_t b, const Vec3& arm) {
+  const model::RigidBody& body = run.model.bodies[b];
+  rigid::BodyState before = run.state.bodies[b];
+  const Vec3 now = before.orientation * arm, spin = rigid::angular_velocity(body.body, before);
+  if (run.state.dt == 0 || arm.isZero(0)) return spin.cross(now);
+  if (body.support.holds_turn)
+    before.orientation = Eigen::AngleAxisd(-run.state.dt * spin.norm(), spin.normalized()) * before.orientation;
+  else
+    rigid::move(body.body, -run.state.dt, before);  // which it inverts
+  return (now - before.orientation * arm) / run.state.dt;
+}
+
 }  // namespace
 
 std::optional<std::size_t> body_of_part(const model::Model& model, const std::string& part) {
@@ -48,7 +61,7 @@ Vec3 body_motion(const Prepared& run, std::size_t b, std::string_view field) {
   // of the reference point, else of the centre of mass
   const Vec3 start = run.model.bodies[b].given.reference.value_or(body.mass.centre);
   const Vec3 arm = now.orientation * (start - body.mass.centre);
-  if (field == "velocity") return now.velocity + rigid::angular_velocity(body, now).cross(arm);
+  if (field == "velocity") return now.velocity + shift_of_arm(run, b, start - body.mass.centre);
   const Vec3 place = body.mass.centre + now.displacement + arm;
   if (field == "displacement") return place - start;
   return place + run.model.mesh.origin;

@@ -34,7 +34,18 @@ std::string cause_if_rigid(const Prepared& run) {
                                    .walls = !run.model.walls.empty(),
                                    .drives = !run.input.prescribed.empty(),
                                    .moving_walls = std::ranges::any_of(run.model.walls, &model::RigidWall::moves),
+                                   .joints = !run.model.joints.empty(),
                                    .at_limit = run.contact && run.contact->ledger.statistics.steps_at_limit > 0});
+}
+
+/// Work of the forces on bodies over the rounding of places that joints hold: 4 eps of the distance, and of a turn
+/// [energy].
+double rounding_of_joints(const model::Scratch& scratch, double extent) {
+  double work = 0;
+  for (const model::BodyStep& body : scratch.bodies)
+    work +=
+        extent * (body.loads.force + body.elements.force).norm() + (body.loads.moment + body.elements.moment).norm();
+  return 4 * std::numeric_limits<double>::epsilon() * work;
 }
 
 /// What contact of this run may give. Mortar contact of the implicit schemes gives within a step what it took in
@@ -109,6 +120,7 @@ double Results::rounding(const time::Ledger& ledger) const {
         settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt, run_.model.contact.enforcement.tolerance,
                         run_.contact->derived.detection.tolerances->recovery);
   if (run_.implicit) rounding += implicit_rounding(run_, extent_);
+  if (!run_.model.joints.empty()) rounding += rounding_of_joints(run_.scratch, extent_);
   return rounding;
 }
 

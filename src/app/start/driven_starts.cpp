@@ -64,6 +64,14 @@ std::vector<std::string> driven_starts(const Prepared& run, std::span<const Vec3
                    (dof < 3 ? centre : body.start.spin)[static_cast<int>(dof % 3)],
                    dof < 3 ? fastest : body.start.spin.norm());
   }
+  for (const model::BodyJoint& joint : model.joints) {
+    if (!joint.is_support()) continue;
+    const model::StartMotion& start = nth(model.bodies, joint.body[0]).start;
+    const Vec3 point = start.velocity + start.spin.cross(joint.point);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (joint.drive[c])
+        starts.add(model, static_cast<std::size_t>(*joint.drive[c]), point[static_cast<int>(c)], fastest);
+  }
   starts.share(run.links.ranks);
   std::vector<std::string> lines;
   constexpr std::array directions{"x", "y", "z", "rx", "ry", "rz"};

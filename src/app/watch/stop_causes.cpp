@@ -63,7 +63,11 @@ std::string cause_among_rigid_bodies(const RigidSources& sources) {
   if (sources.contact) causes.emplace_back("bodies inside each other");
   if (sources.drives) causes.emplace_back("prescribed motions that drive bodies into obstacles");
   if (sources.moving_walls) causes.emplace_back("moving walls that drive bodies into obstacles");
-  return causes.empty() ? "unknown, since nothing acts on the bodies" : fmt::format("{}", fmt::join(causes, ", or "));
+  if (sources.joints)
+    causes.emplace_back(
+        "joints of bodies that turn by more than a tenth of a radian in a step: use a smaller run.step");
+  return causes.empty() ? "unknown, since no body has contact, a drive or a joint"
+                        : fmt::format("{}", fmt::join(causes, ", or "));
 }
 
 std::string not_at_rest(const model::Relaxation& phase, const scene::Relaxation& asked) {

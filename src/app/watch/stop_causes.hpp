@@ -21,6 +21,7 @@ std::string cause_of_given_work(const model::Model& model, GlobalIndex folded);
 /// What a scene has that may supply energy among rigid bodies.
 struct RigidSources {
   bool contact = false, walls = false, drives = false, moving_walls = false;
+  bool joints = false;    ///< or supports of a reference point
   bool at_limit = false;  ///< iterations of contact have ended at enforcement.max_iterations
 };
 

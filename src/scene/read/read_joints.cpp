@@ -22,6 +22,7 @@ void read_between(const Key& key, Joint& joint) {
 }
 
 void judge_joint(const Key& map, Joint& joint) {
+  if (!has(map, "type")) return;
   if (joint.kind == JointKind::revolute)
     demand(map, "axis", "three numbers [x, y, z], not all zero");
   else

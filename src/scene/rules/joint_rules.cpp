@@ -51,6 +51,15 @@ std::vector<std::string> faults_of_joints(const Input& input) {
     if (input.implicit)
       add(key, "invalid in an implicit scene, whose supports hold the centre of mass; expected no reference");
   }
+  for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
+    const Prescribed& motion = input.prescribed[k];
+    const auto part = std::ranges::find(input.parts, motion.where, &Part::name);
+    if (motion.gives == Prescribed::Gives::acceleration && motion.dof < 3 && part != input.parts.end() &&
+        is_held(*part))
+      add(fmt::format("prescribed.{}", k),
+          "invalid acceleration of a reference point in this version; expected its velocity or displacement, or an "
+          "accelerated part with a joint there");
+  }
   for (std::size_t k = 0; k < input.probes.size(); ++k) {
     const auto joint = std::ranges::find(input.joints, input.probes[k].where, &Joint::name);
     if (input.probes[k].field == "angle" && joint != input.joints.end() && joint->kind != rigid::JointKind::revolute)

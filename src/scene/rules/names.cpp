@@ -186,6 +186,7 @@ void judge_names(const Key& scene, const Input& input) {
   std::vector<std::string> probes;
   for (const Probe& probe : input.probes) probes.push_back(probe.name);
   judge_twice(at(scene, "probes"), probes, "probe");
+  judge_twice(at(scene, "joints"), defined(input, Named::joint), "joint");
   judge_twice(at(scene, "rigid_walls"), defined(input, Named::wall), "rigid wall");
   const std::vector<std::string> parts = defined(input, Named::part);
   for (const SetEntry& set : input.sets)
