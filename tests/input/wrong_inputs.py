@@ -397,5 +397,4 @@ STUDIES = [
                              ("aliases of aliases", BOMB, ["line 6", "repeat"]), ("many brackets", "runs: " + "[" * 5000, ["line 1", "64 nested levels"]))
 ]
 SCRIPTS += STUDIES
-
 ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES + wrong_depths.cases(Wrong) + wrong_joints.cases(Wrong)

@@ -28,7 +28,7 @@ run: {{end: 1{step}}}
                "expected"),
         joint("of a ball with an axis", "{name: j, type: ball, between: [a, b], point: [0, 0, 0], axis: [0, 0, 1]}", "joints.0.axis",
                "ball joint", "expected"),
-        joint("of one part", "{name: j, type: ball, between: [a], point: [0, 0, 0]}", "joints.0.between", "expected two rigid parts"),
+        joint("of one part", "{name: j, type: ball, between: [a], point: [0, 0, 0]}", "joints.0.between", "expected a list of two rigid parts"),
         joint("of a part with itself", "{name: j, type: ball, between: [a, a], point: [0, 0, 0]}", "joints.0.between", "one body", "expected"),
         joint("of the ground with itself", "{name: j, type: ball, between: [ground, ground], point: [0, 0, 0]}", "joints.0.between",
                "ground with itself", "expected"),

@@ -11,7 +11,7 @@ const Choices<JointKind> kinds{{{"ball", JointKind::ball}, {"revolute", JointKin
                                {"cylindrical", "prismatic", "universal", "planar", "free", "fixed"}};
 
 void read_between(const Key& key, Joint& joint) {
-  const std::vector<Key> names = items(key, "two rigid parts [a, b], or one and ground", 2);
+  const std::vector<Key> names = items(key, "a list of two rigid parts [a, b], one of which may be ground", 2);
   if (names.size() != 2) return;
   for (std::size_t side = 0; side < 2; ++side) {
     if (is_value(names[side]) && names[side].tree->text == ground_name)

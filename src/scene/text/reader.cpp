@@ -205,7 +205,7 @@ bool read(const Key& key, std::string& target, std::string_view expected) {
 
 bool read(const Key& key, std::string& target, Named kind) {
   constexpr std::array words{"the name of a material", "the name of a curve", "the name of a part",
-                             "the name of a rigid wall"};
+                             "the name of a rigid wall", "the name of a joint"};
   if (!read(key, target, nth(words, kind))) return false;
   key.findings->references.push_back({key.place, key.path, target, kind});
   return true;
