@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstddef>
 
+#include "core/types.hpp"
+
 namespace brunt {
 
 enum class Phase { element, search, enforcement, halo, other, output };

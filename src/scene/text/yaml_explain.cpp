@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/excerpt.hpp"
+#include "core/types.hpp"
 #include "yaml_brackets.hpp"
 
 namespace brunt::scene {
