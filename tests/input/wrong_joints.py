@@ -41,8 +41,6 @@ run: {{end: 1{step}}}
                "expected", law="{model: elastic, density: 1, young: 1, poisson: 0}"),
         joint("in an implicit scene", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "joints", "implicit", "expected",
                more="solver: {scheme: contact_implicit, step: 1.0e-3}\n", step=""),
-        joint("in a scene with relaxation", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "relaxation", "joints", "expected",
-               more="relaxation: {}\ngravity: {vector: [0, 0, -1]}\n"),
         joint("whose angle is asked for", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}", "probes.0.field", "'angle'", "expected",
                more="probes: [{name: p, joint: j, field: angle}]\n"),
         joint("asked for by a wrong name", "{name: jack, type: ball, between: [a, b], point: [0, 0, 0]}", "probes.0.joint",

@@ -233,6 +233,10 @@ history: {every: 1.0e-3}
         self.run_scene(3, "scene.yaml", "--out", "half", "--restart", "half")
         self.assertEqual(self.summary("half")["state_hash"], first["state_hash"])
 
+    def test_a_static_state_before_the_run_is_refused(self):
+        told = self.go(self.BESIDE + "relaxation: {}\n", code=2)
+        self.assertIn("invalid relaxation: joints have no static state before t = 0", told)
+
     def test_a_joint_that_cannot_close_stops(self):
         """Two drives pull the ends of a joint apart."""
         told = self.go(self.PIVOT.replace(", rigid: {reference: [0, 0, 0]}", "") +
