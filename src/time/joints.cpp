@@ -151,6 +151,20 @@ void close(const model::Model& model, const model::State& state, const JointGrou
       name.empty() ? "support at a reference point" : name, widest.gap, state.time));
 }
 
+/// What a joint gives to its first body, about that body's centre.
+model::Wrench impulse_on_first(const JointPlace& place, const std::array<Pose, 2>& sides,
+                               const Eigen::VectorXd& impulses) {
+  std::array<rigid::JointRow, rigid::most_joint_rows> rows;
+  const std::size_t count = rigid::joint_rows(place.joint, sides, rows);
+  model::Wrench given;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double impulse = impulses[place.first_row + static_cast<Eigen::Index>(k)];
+    given.force += impulse * rows[k].shift[0];
+    given.moment += impulse * rows[k].turn[0];
+  }
+  return given;
+}
+
 }  // namespace
 
 void place_joints(model::Model& model, model::State& state, model::Scratch& scratch) {
@@ -239,14 +253,7 @@ void book_joints(const model::Model& model, model::State& state, model::Scratch&
     for (const JointPlace& place : group.joints) {
       const auto j = static_cast<std::size_t>(place.number);
       const std::array<Pose, 2> sides = rigid::sides_of(place, pose);
-      std::array<rigid::JointRow, rigid::most_joint_rows> rows;
-      const std::size_t count = rigid::joint_rows(place.joint, sides, rows);
-      model::Wrench on_first;  // about its centre
-      for (std::size_t k = 0; k < count; ++k) {
-        const double impulse = now.impulses[place.first_row + static_cast<Eigen::Index>(k)];
-        on_first.force += impulse * rows[k].shift[0];
-        on_first.moment += impulse * rows[k].turn[0];
-      }
+      const model::Wrench on_first = impulse_on_first(place, sides, now.impulses);
       model::JointAccount& account = state.joint_accounts[j];
       account.impulse += on_first.force;
       account.angular_impulse += on_first.moment - (sides[0].turn * place.joint.arm[0]).cross(on_first.force);

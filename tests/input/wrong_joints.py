@@ -32,6 +32,8 @@ run: {{end: 1{step}}}
         joint("of a part with itself", "{name: j, type: ball, between: [a, a], point: [0, 0, 0]}", "joints.0.between", "one body", "expected"),
         joint("of the ground with itself", "{name: j, type: ball, between: [ground, ground], point: [0, 0, 0]}", "joints.0.between",
                "ground with itself", "expected"),
+        joint("beyond the numbers of the machine", "{name: j, type: ball, between: [a, b], point: [1.0e160, 0, 0]}", "joints.0",
+              "out of range", "expected"),
         joint("with an angle", "{name: j, type: ball, between: [a, b], point: [0, 0, 0], angle: 1}", "joints.0.angle", "expected"),
         joint("used twice", "{name: j, type: ball, between: [a, b], point: [0, 0, 0]}, {name: j, type: ball, between: [a, ground], "
                "point: [0, 0, 0]}", "joints.1", "'j'", "used twice"),

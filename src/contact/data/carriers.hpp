@@ -50,13 +50,18 @@ struct Carriers {
     return &nth(bodies, found->body);
   }
 
+  /// The bodies that joints connect with this one; null without joints.
+  [[nodiscard]] const CoupledBodies* group_of(LocalIndex body) const {
+    const auto has_it = [&](const CoupledBodies& group) { return std::ranges::binary_search(group.bodies, body); };
+    const auto found = std::ranges::find_if(coupled, has_it);
+    return found == coupled.end() ? nullptr : &*found;
+  }
+
   /// The mobility of a body without its joints.
   [[nodiscard]] const Mat6& alone(LocalIndex body) const {
-    for (const CoupledBodies& group : coupled)
-      if (const auto found = std::ranges::lower_bound(group.bodies, body);
-          found != group.bodies.end() && *found == body)
-        return nth(group.alone, found - group.bodies.begin());
-    return nth(bodies, body).mobility;
+    const CoupledBodies* group = group_of(body);
+    if (group == nullptr) return nth(bodies, body).mobility;
+    return nth(group->alone, std::ranges::lower_bound(group->bodies, body) - group->bodies.begin());
   }
 };
 

@@ -9,9 +9,8 @@ namespace {
 
 /// The first of the bodies that joints connect with this one.
 LocalIndex first_of(const Carriers& carriers, LocalIndex body) {
-  for (const CoupledBodies& group : carriers.coupled)
-    if (std::ranges::binary_search(group.bodies, body)) return group.bodies.front();
-  return body;
+  const CoupledBodies* group = carriers.group_of(body);
+  return group == nullptr ? body : group->bodies.front();
 }
 
 /// Calls use(i) for each node and, behind all nodes, each body that row q can move.

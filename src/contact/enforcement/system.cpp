@@ -123,6 +123,8 @@ bool lay_diagonal(const System& system, EnforcementScratch& scratch, Counts coun
       scratch.diagonal[q] += weight * sum * (system.mobility_scale * mobility.inverse_mass);
     }
     if (rows.has_bodies() && add_bodies_to_diagonal(rows, q, scratch)) coupled = true;
+    for (const BodyShare& share : rows.bodies_of(q))  // with joints the weight is a bound
+      coupled = coupled || (share.weight > 0 && system.carriers.group_of(share.body) != nullptr);
   }
   return coupled;
 }

@@ -99,8 +99,9 @@ void take_prediction(const System& system, std::span<Vec3> velocity);
 double start_from_prediction(const System& system, Exchange& exchange, std::span<Vec3> velocity);
 
 /// Fills scratch.diagonal with the row sums H_q = sum_n |G_qn P_n| s_n / m_n, s_n = sum_p |G_pn P_n|: H - G W G^T is
-/// positive semidefinite by Gershgorin's theorem. Returns whether rows of this rank share nodes with other rows;
-/// otherwise H equals G W G^T. If a function is given, only its rows count; others have zero. Collective.
+/// positive semidefinite by Gershgorin's theorem. Returns whether rows of this rank share nodes with other rows, or act
+/// on bodies with joints; otherwise H equals G W G^T. If a function is given, only its rows count; others have zero.
+/// Collective.
 bool form_row_sums(const System& system, Exchange& exchange, EnforcementScratch& scratch,
                    bool (*counts)(const RowMatrix&, std::size_t q) = nullptr);
 

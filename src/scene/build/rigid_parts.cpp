@@ -8,16 +8,10 @@
 #include "core/excerpt.hpp"
 #include "mesh/topology.hpp"
 #include "scene/build/select.hpp"
+#include "scene/reported.hpp"
 
 namespace brunt::scene {
 namespace {
-
-/// A line "FILE:LINE: key: what".
-template <class... Values>
-std::string reported(const Input& input, const std::string& key, fmt::format_string<Values...> what,
-                     Values&&... values) {
-  return fmt::format("{}: {}", input.at(key), fmt::format(what, std::forward<Values>(values)...));
-}
 
 /// The body of each node, by the block of the part that leads it; the first node of two bodies is reported.
 class BodyOfNode {

@@ -6,6 +6,7 @@
 
 #include "core/excerpt.hpp"
 #include "scene/build/rigid_parts.hpp"
+#include "scene/reported.hpp"
 #include "scene/rules/rules.hpp"
 
 namespace brunt::scene {
@@ -24,51 +25,67 @@ std::string fault_of(const Input& input, const Joint& joint) {
   return {};
 }
 
-}  // namespace
+using Lines = std::vector<std::string>;
 
-std::vector<std::string> faults_of_joints(const Input& input) {
-  std::vector<std::string> faults;
-  const auto add = [&](const std::string& key, const std::string& what) {
-    faults.push_back(fmt::format("{}: {}", input.at(key), what));
-  };
+void judge_joints(const Input& input, Lines& faults) {
+  if (input.joints.empty()) return;
   for (std::size_t k = 0; k < input.joints.size(); ++k)
     if (const std::string what = fault_of(input, input.joints[k]); !what.empty())
-      add(fmt::format("joints.{}.between", k), what);
-  const bool names_ground = std::ranges::find(input.parts, ground_name, &Part::name) != input.parts.end();
-  if (names_ground && !input.joints.empty())
-    add("joints",
-        "invalid in a scene with a part named 'ground', which is the word for space itself; expected another name of "
-        "the part");
-  if (input.relaxation && !input.joints.empty())
-    add("relaxation",
-        "invalid relaxation: joints have no static state before t = 0 in this version; expected no joints");
-  const auto is_held = [&](const Part& part) { return part.rigid && part.rigid->reference; };
+      faults.push_back(reported(input, fmt::format("joints.{}.between", k), "{}", what));
+  if (std::ranges::find(input.parts, ground_name, &Part::name) != input.parts.end())
+    faults.push_back(reported(input, "joints",
+                              "invalid in a scene with a part named 'ground', which is the word for space itself; "
+                              "expected another name of the part"));
+  if (input.relaxation)
+    faults.push_back(
+        reported(input, "relaxation",
+                 "invalid relaxation: joints have no static state before t = 0 in this version; expected no joints"));
+  if (input.implicit)
+    faults.push_back(reported(input, "joints",
+                              "invalid in an implicit scene, which has no joints in this version; expected no joints"));
+}
+
+bool has_reference(const Part& part) {
+  return part.rigid && part.rigid->reference;
+}
+
+void judge_references(const Input& input, Lines& faults) {
   for (const Part& part : input.parts) {
-    if (!is_held(part)) continue;
-    const std::string key = fmt::format("parts.{}.rigid.reference", part.name);
-    if (input.relaxation)
-      add(key, "invalid in a scene with relaxation, whose supports hold the centre of mass; expected no reference");
-    if (input.implicit)
-      add(key, "invalid in an implicit scene, whose supports hold the centre of mass; expected no reference");
+    if (!has_reference(part) || (!input.relaxation && !input.implicit)) continue;
+    faults.push_back(reported(input, fmt::format("parts.{}.rigid.reference", part.name),
+                              "invalid in {}, whose supports hold the centre of mass; expected no reference",
+                              input.implicit ? "an implicit scene" : "a scene with relaxation"));
   }
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& motion = input.prescribed[k];
     const auto part = std::ranges::find(input.parts, motion.where, &Part::name);
-    if (motion.gives == Prescribed::Gives::acceleration && motion.dof < 3 && part != input.parts.end() &&
-        is_held(*part))
-      add(fmt::format("prescribed.{}", k),
-          "invalid acceleration of a reference point in this version; expected its velocity or displacement, or an "
-          "accelerated part with a joint there");
+    if (motion.gives != Prescribed::Gives::acceleration || motion.dof >= 3 || part == input.parts.end()) continue;
+    if (has_reference(*part))
+      faults.push_back(reported(input, fmt::format("prescribed.{}", k),
+                                "invalid acceleration of a reference point in this version; expected its velocity or "
+                                "displacement, or an accelerated part with a joint there"));
   }
+}
+
+/// Only a revolute joint has one angle.
+void judge_angles(const Input& input, Lines& faults) {
   for (std::size_t k = 0; k < input.probes.size(); ++k) {
     const auto joint = std::ranges::find(input.joints, input.probes[k].where, &Joint::name);
-    if (input.probes[k].field == "angle" && joint != input.joints.end() && joint->kind != rigid::JointKind::revolute)
-      add(fmt::format("probes.{}.field", k),
-          fmt::format("invalid field 'angle': '{}' turns about all axes; expected force, moment or gap",
-                      excerpt(joint->name)));
+    if (input.probes[k].field != "angle" || joint == input.joints.end()) continue;
+    if (joint->kind != rigid::JointKind::revolute)
+      faults.push_back(reported(input, fmt::format("probes.{}.field", k),
+                                "invalid field 'angle': '{}' turns about all axes; expected force, moment or gap",
+                                excerpt(joint->name)));
   }
-  if (input.implicit && !input.joints.empty())
-    add("joints", "invalid in an implicit scene, which has no joints in this version; expected no joints");
+}
+
+}  // namespace
+
+std::vector<std::string> faults_of_joints(const Input& input) {
+  Lines faults;
+  judge_joints(input, faults);
+  judge_references(input, faults);
+  judge_angles(input, faults);
   return faults;
 }
 

@@ -6,17 +6,11 @@
 
 #include "core/excerpt.hpp"
 #include "scene/build/rigid_parts.hpp"
+#include "scene/reported.hpp"
 #include "scene/rules/rules.hpp"
 
 namespace brunt::scene {
 namespace {
-
-/// A line "FILE:LINE: key: what".
-template <class... Values>
-std::string reported(const Input& input, const std::string& key, fmt::format_string<Values...> what,
-                     Values&&... values) {
-  return fmt::format("{}: {}", input.at(key), fmt::format(what, std::forward<Values>(values)...));
-}
 
 bool turns(const Fixed& entry) {
   return std::ranges::find(entry.turns, true) != entry.turns.end();

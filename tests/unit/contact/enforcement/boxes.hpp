@@ -28,6 +28,7 @@ struct BoxProblem : Problem {
   std::vector<Box> boxes;
   std::vector<Carrier> bodies;
   std::vector<CarriedPoint> points;
+  std::vector<CoupledBodies> coupled;
   EnforcementScratch scratch;
 
   LocalIndex add_box(const Box& box) {
@@ -65,7 +66,27 @@ struct BoxProblem : Problem {
         add_row_over(below[static_cast<std::size_t>(j * n + i)], {corners[0], corners[1], corners[3], corners[2]},
                      i / (n - 1.0), j / (n - 1.0), Vec3::UnitZ());
   }
-  [[nodiscard]] Carriers carriers() const { return {points, bodies}; }
+  [[nodiscard]] Carriers carriers() const { return {points, bodies, coupled}; }
+  /// A ball joint of two boxes.
+  void join(LocalIndex one, LocalIndex other, const Vec3& point) {
+    Eigen::MatrixXd slope(3, 12), apart = Eigen::MatrixXd::Zero(12, 12);
+    CoupledBodies pair{.bodies = {one, other}, .mobility = {}, .alone = {}};
+    for (int side = 0; side < 2; ++side) {
+      const auto body = static_cast<std::size_t>(side == 0 ? one : other);
+      const Vec3 arm = point - boxes[body].centre;
+      Mat3 cross;
+      cross << 0, arm[2], -arm[1], -arm[2], 0, arm[0], arm[1], -arm[0], 0;
+      slope.middleCols(6 * side, 3) = (side == 0 ? 1 : -1) * Mat3::Identity();
+      slope.middleCols(6 * side + 3, 3) = (side == 0 ? 1 : -1) * cross;
+      apart.block(6 * side, 6 * side, 6, 6) = bodies[body].mobility;
+      pair.alone.push_back(bodies[body].mobility);
+    }
+    const Eigen::MatrixXd answers = slope * apart;
+    pair.mobility = apart - answers.transpose() * (answers * slope.transpose()).inverse() * answers;
+    bodies[static_cast<std::size_t>(one)].mobility = pair.mobility.topLeftCorner(6, 6);
+    bodies[static_cast<std::size_t>(other)].mobility = pair.mobility.bottomRightCorner(6, 6);
+    coupled.push_back(std::move(pair));
+  }
   EnforcementResult solve_boxes(const EnforcementSettings& settings) {
     OneRankExchange exchange;
     return solve_boxes(settings, exchange);

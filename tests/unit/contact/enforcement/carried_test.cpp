@@ -205,3 +205,32 @@ TEST_CASE("a stack of boxes that falls flat: iterations grow with its height, no
     CHECK(result.residual <= 1e-3);
   }
 }
+
+TEST_CASE("what hangs on a joint is felt by the body that meets the floor") {
+  // a bar of two thin halves comes down flat on one end: the exact impulse of the two bodies with a ball joint
+  BoxProblem p;
+  p.add_box({.centre = {0.5, 0, 0}, .size = {1, 0.1, 0.1}, .mass = 1, .velocity = {0, 0, -1}});
+  p.add_box({.centre = {1.5, 0, 0}, .size = {1, 0.1, 0.1}, .mass = 1, .velocity = {0, 0, -1}});
+  const double alone = 1 / (1 + 0.25 / (1.01 / 12));
+  BoxProblem free = p;
+  free.add_row({{free.add_point(0, {0, 0, 0}), 1}}, Vec3::UnitZ());
+  free.solve_boxes({});
+  CHECK(free.push(0) == Approx(alone).epsilon(1e-12));
+  p.join(0, 1, {1, 0, 0});
+  p.add_row({{p.add_point(0, {0, 0, 0}), 1}}, Vec3::UnitZ());
+  p.solve_boxes({.tolerance = 1e-12});
+  // Lagrange: the end changes its velocity by 1, the joint and the far end so that the energy of the change is least
+  const double inertia = 1.01 / 12;
+  Eigen::Matrix2d hesse;
+  hesse << 2 * (0.25 + inertia), 0.25 - inertia, 0.25 - inertia, 0.25 + inertia;
+  const Eigen::Vector2d ends = hesse.inverse() * Eigen::Vector2d(-(0.25 - inertia), 0);
+  const double felt = 0.25 + inertia + (0.25 - inertia) * ends[0];
+  CHECK(p.push(0) == Approx(felt).epsilon(1e-10));
+  CHECK(felt > alone);
+  const Vec3 joint(1, 0, 0);
+  const auto at_joint = [&](LocalIndex b) {
+    return Vec3(p.velocity_of(b) + p.spin_of(b).cross(joint - p.boxes[static_cast<std::size_t>(b)].centre));
+  };
+  CHECK((at_joint(0) - at_joint(1)).norm() < 1e-12);
+  CHECK(p.energy(true) < p.energy(false));
+}
