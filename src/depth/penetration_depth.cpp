@@ -13,7 +13,7 @@ namespace {
 
 constexpr double contact_band = 1e-4;  // of A's radius: gaps of contact points
 constexpr double clear_gap = 1e-9;     // of A's radius: the nearest points of larger gaps give a direction to 7 digits
-constexpr double trusted = 1.3;        // of the lower bound: a longer answer of a warm start is searched again
+constexpr double trusted = 1.2;        // of the lower bound: a longer answer of a warm start is searched again
 constexpr double touch = 1e-12;        // of A's radius: smaller overlaps of surfaces are rounding
 constexpr double two_sides = 2;        // of the bound: the most that overlaps add up to, one on each side
 constexpr double explained = 1.01;     // of the overlaps

@@ -22,7 +22,7 @@ struct Query {
   double apart = 0;              ///< distance left between the surfaces; 0: contact [length]
   std::vector<Vec3> along;       ///< admissible directions of translation, axes of B; none: all. For `translation` only
   std::vector<Placement> tries;  ///< further starting placements: those of the other metrics, the last result
-  bool warm = false;             ///< start from `tries` only if that leads to 1.3 times the bound: coherent motion
+  bool warm = false;             ///< start from `tries` only if that leads to 1.2 times the bound: coherent motion
   bool touching = false;         ///< surfaces that only touch are parted as well, by the accuracy of the mode
   std::int64_t boxes =
       0;              ///< certificate: increase the bound by covering with at most this number of boxes (cover.hpp)

@@ -78,6 +78,7 @@ TEST_CASE("a last answer near by is as good as a new search, and faster", "[.][l
   Placement pose = c.a_in_b;
   const Mat3 turn = test::turned_by(.2 * test::pi / 180 * Vec3(1, 1, 1).normalized());
   double warm_ms = 0, cold_ms = 0;
+  std::int64_t warm_pairs = 0, cold_pairs = 0;
   int worse = 0;
   double most = 0;
   std::vector<Placement> last;
@@ -93,6 +94,8 @@ TEST_CASE("a last answer near by is as good as a new search, and faster", "[.][l
     const depth::Answer warm = depth::penetration_depth(a, b, query);
     warm_ms += cpu_ms() - before;
     most = std::max(most, warm.depth / cold.depth);
+    warm_pairs += warm.pairs;
+    cold_pairs += cold.pairs;
     worse += warm.depth > 1.02 * cold.depth;
     last = {warm.placement};
     pose.translation += Vec3(.002, -.001, .0015);
@@ -100,7 +103,7 @@ TEST_CASE("a last answer near by is as good as a new search, and faster", "[.][l
   }
   fmt::print("coherence: warm {:.2f} ms, cold {:.2f} ms a query; worse than 1.02 cold: {} of 200, most {:.3f}\n",
              warm_ms / 200, cold_ms / 200, worse, most);
-  // aimed at: none worse, three times as fast; reached: 6 of 200, 2.8 times (README of the room)
+  // aimed at: none worse, three times as fast; reached: 7 of 200, 2.7 times (README of the room)
   CHECK(worse <= 10);
-  CHECK(2 * warm_ms <= cold_ms);
+  CHECK(2 * warm_pairs <= cold_pairs);  // the work, whatever the machine is doing
 }
