@@ -16,7 +16,7 @@ std::vector<Mobility> surface_mobility(const Surface& surface, std::span<const d
   for (const ConstrainedNode& held : constrained) {
     const auto found = std::ranges::lower_bound(surface.model_node, held.node);
     if (found == surface.model_node.end() || *found != held.node) continue;
-    nth(mobility, found - surface.model_node.begin()).projector = held.projector;
+    nth(mobility, found - surface.model_node.begin()).projector = held.free;
   }
   for (std::size_t i = 0; i < carrier.size(); ++i)
     if (carrier[i] > 0) mobility[i].inverse_mass = 0;

@@ -7,6 +7,7 @@
 
 #include "comm/communicator.hpp"
 #include "comm/halo.hpp"
+#include "contact/data/constrained_node.hpp"
 #include "contact/data/constraint.hpp"
 #include "contact/detection/detection.hpp"
 #include "contact/node_views.hpp"
@@ -14,12 +15,6 @@
 #include "contact/surface/surface.hpp"
 
 namespace brunt::contact {
-
-/// A constrained node, with the projector onto its free directions.
-struct ConstrainedNode {
-  LocalIndex node = 0;  ///< local node of the mesh
-  Mat3 projector = Mat3::Identity();
-};
 
 /// Surface nodes on several ranks: copies take the owner's velocity.
 struct SurfaceCopies {

@@ -15,7 +15,7 @@ double reference_area(const model::Model& model, const mesh::ExteriorFace& face)
 }
 
 void add_dead_loads(const model::Model& model, double time, model::Scratch& scratch) {
-  for (const model::DeadLoad& load : model.dead_loads) {
+  for (const model::DeadLoad& load : model.loads.dead) {
     const Vec3 value = model::value_at(load.curve, time) * load.value;
     const Quad whole{value[0], value[1], value[2]};
     for (std::size_t k = 0; k < load.nodes.size(); ++k) nth(scratch.load, load.nodes[k]) += load.weight[k] * whole;

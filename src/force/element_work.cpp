@@ -8,15 +8,15 @@ namespace {
 
 /// Power of the stored forces of a batch with the current velocities of the nodes.
 Pack power_now(const model::ElementBlock& block, LocalIndex batch, const model::State& state, const Pack* force) {
-  const LocalIndex* node = block.node.data() + std::ptrdiff_t{batch} * block.corners * pack_width;
+  const LocalIndex* node = block.node.data() + std::ptrdiff_t{batch} * block.corners() * pack_width;
   Pack sum = broadcast(0.0);
-  for (int c = 0; c < block.corners; ++c) {
+  for (int c = 0; c < block.corners(); ++c) {
     const auto velocity = [&](int lane) {
       return *reinterpret_cast<const Quad*>(nth(state.nodes, node[c * pack_width + lane]).v);
     };
     Pack v[3];
     components_of(velocity, v[0], v[1], v[2]);
-    for (int i = 0; i < 3; ++i) sum += force[i * block.corners + c] * v[i];
+    for (int i = 0; i < 3; ++i) sum += force[i * block.corners() + c] * v[i];
   }
   return sum;
 }
@@ -30,7 +30,7 @@ void for_kept(const model::Model& model, const model::State& state, const model:
     const auto* force = reinterpret_cast<const Pack*>(scratch.element_force[b].data());
     const auto* before = reinterpret_cast<const Pack*>(scratch.element_power[b].data());
     for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
-      const Pack now = power_now(block, batch, state, force + std::ptrdiff_t{batch} * 3 * block.corners);
+      const Pack now = power_now(block, batch, state, force + std::ptrdiff_t{batch} * 3 * block.corners());
       const int lanes = std::min(pack_width, block.count - batch * pack_width);
       for (int lane = 0; lane < lanes; ++lane)
         use(b, static_cast<std::size_t>(batch * pack_width + lane), before[batch][lane], now[lane]);

@@ -16,11 +16,12 @@ Vec3 position(const model::State& state, LocalIndex node) {
 }  // namespace
 
 double damping_rate(const model::Model& model, double time) {
-  return time >= model.damping_from && time < model.damping_to ? model.damping : 0.0;
+  return time >= model.loads.damping.from && time < model.loads.damping.to ? model.loads.damping.alpha : 0.0;
 }
 
 void body_loads(const model::Model& model, const model::State& state, model::Scratch& scratch) {
-  const Vec3 gravity = model.gravity * (model.has_gravity() ? model::value_at(model.gravity_curve, state.time) : 0.0);
+  const Vec3 gravity =
+      model.loads.gravity * (model.has_gravity() ? model::value_at(model.loads.gravity_curve, state.time) : 0.0);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const double m = state.nodes[i].mass;
     scratch.load[i] = Quad{m * gravity[0], m * gravity[1], m * gravity[2]};
@@ -29,8 +30,8 @@ void body_loads(const model::Model& model, const model::State& state, model::Scr
 
 void pressure_forces(const model::Model& model, const model::State& state, std::span<Quad> slots) {
   std::size_t slot = 0;
-  for (std::size_t entry = 0; entry < model.pressure.size(); ++entry) {
-    const model::PressureLoad& load = model.pressure[entry];
+  for (std::size_t entry = 0; entry < model.loads.pressure.size(); ++entry) {
+    const model::PressureLoad& load = model.loads.pressure[entry];
     const double whole = load.value * model::value_at(load.curve, state.time);
     const char* lives = state.living.pressed.empty() ? nullptr : state.living.pressed[entry].data();
     for (const mesh::ExteriorFace& face : load.faces) {
@@ -50,7 +51,7 @@ void pressure_forces(const model::Model& model, const model::State& state, std::
 std::vector<PressureCorner> pressure_corners(const model::Model& model) {
   std::vector<PressureCorner> corners;
   GlobalIndex load_number = 0;
-  for (const model::PressureLoad& load : model.pressure) {
+  for (const model::PressureLoad& load : model.loads.pressure) {
     for (const mesh::ExteriorFace& face : load.faces)
       for (std::size_t k = 0; k < cells::corner_count(face.nodes); ++k)
         corners.push_back(

@@ -52,11 +52,11 @@ void lump_mass(const model::Model& model, model::State& state, model::Scratch& s
               fmt::format("part {}: an element has volume {:g} in the reference configuration", block.part, volume));
         const double mass = density * volume;
         history[static_cast<std::ptrdiff_t>(batch) * block.history_size * pack_width + lane] = mass;
-        corner_mass[lane] = at_nodes ? mass / block.corners : 0;
+        corner_mass[lane] = at_nodes ? mass / block.corners() : 0;
       }
       const int lanes = std::min(pack_width, block.count - batch * pack_width);
       for (int lane = 0; lane < lanes; ++lane)
-        for (int c = 0; c < block.corners; ++c)
+        for (int c = 0; c < block.corners(); ++c)
           nth(scratch.force, block.corner_node(batch * pack_width + lane, c)) += Quad{corner_mass[lane]};
       for (const model::BorderCorner& kept : block.border.row(batch)) slots[kept.slot] = Quad{corner_mass[kept.lane]};
     }

@@ -18,7 +18,7 @@ std::vector<model::WatchedCorner> watched_corners(const model::ElementBlock& blo
 
 void book_interface(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean) {
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
-    for (const model::WatchedCorner& corner : model.interface_corners[b]) {
+    for (const model::WatchedCorner& corner : model.between_parts.corners[b]) {
       const auto i = static_cast<std::size_t>(corner.node);
       const Vec3 twice_mean_v = scratch.before[i] + Eigen::Map<const Vec3>(state.nodes[i].v);
       nth(state.interface_work[b], corner.element) += 0.5 * dt_mean * twice_mean_v.dot(corner_force(scratch, corner));
@@ -27,7 +27,7 @@ void book_interface(const model::Model& model, model::State& state, const model:
 
 void add_interface_work(const model::Model& model, model::State& state, const model::Scratch& scratch, double time) {
   for (std::size_t b = 0; b < state.interface_work.size(); ++b)
-    for (const model::WatchedCorner& corner : model.interface_corners[b]) {
+    for (const model::WatchedCorner& corner : model.between_parts.corners[b]) {
       const Vec3 v = Eigen::Map<const Vec3>(nth(state.nodes, corner.node).v);
       nth(state.interface_work[b], corner.element) += time * v.dot(corner_force(scratch, corner));
     }

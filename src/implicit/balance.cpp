@@ -42,7 +42,7 @@ Vec3 supported(const Scene& scene, Solver& solver, std::size_t own, Vec3 left) {
   Vec3 by_supports = Vec3::Zero();
   if (const LocalIndex held = solver.held[i]; held != no_index) {
     const auto h = static_cast<std::size_t>(held);
-    free = scene.model.constrained[h].free;
+    free = scene.model.supports.nodes[h].free;
     by_supports = solver.support_stiffness * ((travel - free * travel) - solver.trial.given[h]);
     left = free * left;
   }

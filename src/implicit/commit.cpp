@@ -98,7 +98,7 @@ void begin_step(const Scene& scene, Solver& solver, double dt, double time) {
     Vec3 travel = trial.rule.mass > 0 ? Vec3(dt * of(trial.velocity, i)) : Vec3(Vec3::Zero());
     // prescribed motion is applied in the first correction, which moves the adjacent nodes too
     if (const LocalIndex held = solver.held[i]; held != no_index)
-      travel = nth(scene.model.constrained, held).free * travel;
+      travel = nth(scene.model.supports.nodes, held).free * travel;
     put(of(state.displacement[i]) + travel, solver.u, k);
   }
   if (solver.bodies.any()) begin_bodies(scene, solver, false);
@@ -143,10 +143,10 @@ void commit_step(const Scene& scene, Solver& solver) {
   model::State& state = scene.state;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     for (int c = 0; c < 3; ++c) state.nodes[i].x[c] = scene.model.reference[i][c] + state.displacement[i][c];
-  for (std::size_t w = 0; w < scene.model.walls.size(); ++w)
-    if (scene.model.walls[w].moves)
+  for (std::size_t w = 0; w < scene.model.touching.walls.size(); ++w)
+    if (scene.model.touching.walls[w].moves)
       state.wall_position[w] +=
-          model::integral(scene.model.walls[w].motion, solver.trial.time_before, solver.trial.time);
+          model::integral(scene.model.touching.walls[w].motion, solver.trial.time_before, solver.trial.time);
   state.time_before = solver.trial.time_before;
   state.dt = solver.trial.rule.dt;
   ++state.step;

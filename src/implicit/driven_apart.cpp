@@ -26,16 +26,18 @@ double travel_of(const model::Drive& drive, double time) {
   return 0;
 }
 
-bool accelerates(const model::Model& model, const model::ConstrainedNode& node) {
-  return std::ranges::any_of(node.drive, [&](std::int32_t drive) {
-    return drive >= 0 && nth(model.drives, drive).gives == model::Drive::Gives::acceleration;
+/// Whether one of the drives of a node gives its acceleration.
+bool accelerates(const model::Model& model, const std::array<std::int32_t, 3>& drives) {
+  return std::ranges::any_of(drives, [&](std::int32_t drive) {
+    return drive >= 0 && nth(model.supports.drives, drive).gives == model::Drive::Gives::acceleration;
   });
 }
 
 /// Whether the prescribed motion of a body from t = 0 on contains rotations.
 bool is_hard_to_foresee(const model::Model& model, const model::RigidBody& body) {
   for (std::size_t c = 0; c < body.drive.size(); ++c)
-    if (body.drive[c] && (c >= 3 || nth(model.drives, *body.drive[c]).gives == model::Drive::Gives::acceleration))
+    if (body.drive[c] &&
+        (c >= 3 || nth(model.supports.drives, *body.drive[c]).gives == model::Drive::Gives::acceleration))
       return true;
   return false;
 }
@@ -70,8 +72,8 @@ class Widest {
     const double share = apart.norm() / face.topology.edge;
     if (!(share > agreed)) return;
     const auto slave = static_cast<std::size_t>(face.surfaces.rows[row]);
-    const LocalIndex master = nearest_node(face.tie.below[row]);
-    Opening opening{share, of_implied ? 1 : 0, static_cast<GlobalIndex>(interface), face.place[row]};
+    const LocalIndex master = nearest_node(face.start.tie.below[row]);
+    Opening opening{share, of_implied ? 1 : 0, static_cast<GlobalIndex>(interface), face.numbering.place[row]};
     opening.slave = contact_.nodes.gid[slave];
     if (master != no_index) opening.master = nth(contact_.nodes.gid, master);
     Eigen::Map<Vec3>(opening.apart.data()) = apart;
@@ -98,10 +100,11 @@ void look_at_places(const MortarContact& contact, std::span<const Vec3> displace
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     const Interface& face = contact.interfaces[k];
     for (std::size_t row = 0; face.pair.tied && row < face.count(); ++row) {
-      if (face.given_apart[row].isZero(0)) continue;
+      if (face.start.given_apart[row].isZero(0)) continue;
       const Vec3& of_slave = nth(displacement, face.surfaces.rows[row]);
-      widest.look(false, k, row,
-                  face.given_apart[row] * contact::offset_from_below(face.tie.below[row], of_slave, displacement));
+      widest.look(
+          false, k, row,
+          face.start.given_apart[row] * contact::offset_from_below(face.start.tie.below[row], of_slave, displacement));
     }
   }
 }
@@ -112,10 +115,10 @@ void look_at_implied(const MortarContact& contact, Widest& widest) {
     const Interface& face = contact.interfaces[k];
     if (!face.pair.tied) continue;
     std::vector<Vec3> left;
-    contact::tie_residuals(face.tie, face.surfaces, face.topology, contact.nodes.x, left);
+    contact::tie_residuals(face.start.tie, face.surfaces, face.topology, contact.nodes.x, left);
     for (std::size_t row = 0; row < face.count(); ++row) {
-      if (face.tie.covered[row] == 0) continue;
-      const Mat3 implied = Mat3::Identity() - face.given_apart[row] - face.tied[row];
+      if (face.start.tie.covered[row] == 0) continue;
+      const Mat3 implied = Mat3::Identity() - face.start.given_apart[row] - face.start.tied[row];
       if (!implied.isZero()) widest.look(true, k, row, implied * left[row]);
     }
   }
@@ -125,12 +128,14 @@ void look_at_implied(const MortarContact& contact, Widest& widest) {
 std::vector<double> travel_by_supports(const model::Model& model, double time) {
   std::vector<double> travel(4 * static_cast<std::size_t>(model.nodes()), 0.0);
   const auto give = [&](LocalIndex node, std::size_t axis, std::int32_t drive) {
-    travel[4 * static_cast<std::size_t>(node) + axis] = travel_of(nth(model.drives, drive), time);
+    travel[4 * static_cast<std::size_t>(node) + axis] = travel_of(nth(model.supports.drives, drive), time);
   };
-  for (const model::ConstrainedNode& node : model.constrained) {
+  for (std::size_t k = 0; k < model.supports.nodes.size(); ++k) {
+    const LocalIndex node = model.supports.nodes[k].node;
+    const std::array<std::int32_t, 3>& drive = model.supports.drive[k];
     for (std::size_t c = 0; c < 3; ++c)
-      if (node.drive[c] >= 0) give(node.node, c, node.drive[c]);
-    if (accelerates(model, node)) travel[4 * static_cast<std::size_t>(node.node) + 3] = 1;
+      if (drive[c] >= 0) give(node, c, drive[c]);
+    if (accelerates(model, drive)) travel[4 * static_cast<std::size_t>(node) + 3] = 1;
   }
   for (const model::RigidBody& body : model.bodies)
     for (const LocalIndex node : body.nodes) {
@@ -172,7 +177,7 @@ std::optional<DrivenApart> driven_apart_at(const comm::Communicator& ranks, cons
 
 std::vector<double> turning_times(const model::Model& model, double end) {
   std::vector<double> times{end};
-  for (const model::Drive& drive : model.drives)
+  for (const model::Drive& drive : model.supports.drives)
     for (const auto& [time, value] : drive.curve)
       if (time > 0 && time < end) times.push_back(time);
   sort_unique(times);

@@ -2,9 +2,9 @@
 // Constraints that no multiplier can satisfy: ties whose two sides are separated by supports or walls, and contact
 // whose two sides, or a wall and nodes, are driven into each other.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "implicit/solver.hpp"
@@ -35,9 +35,15 @@ std::optional<DrivenApart> driven_apart_at(const comm::Communicator& ranks, cons
 /// Times up to `end` at which a prescribed motion changes its slope, ascending, and `end`.
 std::vector<double> turning_times(const model::Model& model, double end);
 
+/// Two parts, or a part and a wall, that supports move through each other.
+struct DrivenThrough {
+  std::int32_t block = 0, other = 0;  ///< other: a block, or -1 - w for wall w
+  double since = 0, depth = 0;        ///< [time], [length]
+};
+
 /// Searches rows of contact and nodes at walls whose penetration cannot be resolved, since supports constrain all their
-/// nodes along the normal; updates Solver::driven. Returns a warning for each new one. Collective.
-std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const std::string& length_unit);
+/// nodes along the normal; updates Solver::driven. Returns those that are new. Collective.
+std::vector<DrivenThrough> watch_driven(const Scene& scene, Solver& solver);
 
 /// Whether the node, of a rigid body, can move along the normal of a wall near it.
 bool yields_to_walls(const model::Model& model, const Solver& solver, const WallNode& node);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies that supports drive through each other or through walls, where contact cannot act and only reports it.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "implicit/data/nodal.hpp"
@@ -21,9 +19,9 @@ double depth_of(const ContactNodes& nodes, const Interface& face) {
   for (std::size_t row = 0; row < face.count(); ++row) {
     const double depth = -face.mean_gap(row);
     if (!(depth > agreed * face.topology.edge && depth > deepest)) continue;
-    const Vec3& normal = face.rows.normals[row];
+    const Vec3& normal = face.iterate.rows.normals[row];
     const auto moves = [&](LocalIndex node) { return (nth(nodes.free, node) * normal).norm() > held; };
-    if (std::ranges::none_of(face.rows.weights.nodes.row(static_cast<LocalIndex>(row)), moves)) deepest = depth;
+    if (std::ranges::none_of(face.iterate.rows.weights.nodes.row(static_cast<LocalIndex>(row)), moves)) deepest = depth;
   }
   return deepest;
 }
@@ -52,13 +50,13 @@ bool is_held(const model::Model& model, const Solver& solver, const WallNode& no
            (support.free_turn * arm.cross(direction)).norm() <= held * solver.bodies.radius[b];
   }
   Mat3 free = Mat3::Identity() - node.tied;
-  if (solver.held[i] != no_index) free = nth(model.constrained, solver.held[i]).free * free;
+  if (solver.held[i] != no_index) free = nth(model.supports.nodes, solver.held[i]).free * free;
   return (free * direction).norm() <= held;
 }
 
 /// For each wall: the deepest node of this rank with a support along its normal.
 std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) {
-  std::vector<AtWall> found(scene.model.walls.size());
+  std::vector<AtWall> found(scene.model.touching.walls.size());
   const WallContact& walls = solver.walls;
   for (const WallNode& node : walls.nodes) {
     const auto i = static_cast<std::size_t>(solver.unknowns.node[node.own]);
@@ -67,7 +65,7 @@ std::vector<AtWall> held_behind_walls(const Scene& scene, const Solver& solver) 
     const Vec3 x = of(scene.model.reference[i]) + of(scene.state.displacement[i]);
     for (std::int32_t k = 0; k < node.looked_at; ++k) {
       const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
-      const Vec3& normal = scene.model.walls[w].normal;
+      const Vec3& normal = scene.model.touching.walls[w].normal;
       const double depth = walls.place[w] - normal.dot(x);
       const double least = carried ? of_carried : of_touching;
       if (!(depth > least * walls.touching && depth > found[w].depth) || !is_held(scene.model, solver, node, normal))
@@ -87,56 +85,39 @@ bool deepen(double depth, double time, double* since_and_depth) {
   return fresh;
 }
 
-std::string warning_of(const std::string& one, const std::string& other, double since, double depth,
-                       const std::string& length_unit) {
-  return fmt::format(
-      "supports move part '{}' and {} through each other: since t = {:g} nodes that are held along the normal lie "
-      "behind a surface that cannot yield; the depth is now {:.3g}{}. Contact has no effect there (reported once for "
-      "each pair; driven_penetration in summary.json is the largest depth)",
-      one, other, since, depth, length_unit.empty() ? "" : " " + length_unit);
-}
-
 }  // namespace
 
 bool yields_to_walls(const model::Model& model, const Solver& solver, const WallNode& node) {
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
     const auto w = static_cast<std::size_t>(nth(solver.walls.wall, node.kept[k]));
-    if (!is_held(model, solver, node, model.walls[w].normal)) return true;
+    if (!is_held(model, solver, node, model.touching.walls[w].normal)) return true;
   }
   return false;
 }
 
-std::vector<std::string> watch_driven(const Scene& scene, Solver& solver, const std::string& length_unit) {
-  std::vector<std::string> warnings;
-  if (!scene.links.ranks.any(!scene.model.constrained.empty()) && scene.model.bodies.empty()) return warnings;
-  const auto part = [&](std::int32_t block) -> const std::string& { return nth(scene.model.blocks, block).part; };
+std::vector<DrivenThrough> watch_driven(const Scene& scene, Solver& solver) {
+  std::vector<DrivenThrough> fresh;
+  if (!scene.links.ranks.any(!scene.model.supports.nodes.empty()) && scene.model.bodies.empty()) return fresh;
   double* next = solver.driven.data();
-  std::vector<double> depths(scene.model.mortar.size(), 0.0);
+  const auto take = [&](std::int32_t block, std::int32_t other, double depth) {
+    if (deepen(depth, scene.state.time, next)) fresh.push_back({block, other, next[0], depth});
+    next += 2;
+  };
+  std::vector<double> depths(scene.model.touching.mortar.size(), 0.0);
   std::vector<const contact::MortarPair*> pairs(depths.size());
   for (const Interface& face : solver.contact.interfaces) {
     if (face.first_of_pair) pairs[face.of_pair] = &face.pair;
     if (!face.pair.tied) depths[face.of_pair] = std::max(depths[face.of_pair], depth_of(solver.contact.nodes, face));
   }
   if (!depths.empty()) scene.links.ranks.max(depths);
-  for (std::size_t k = 0; k < depths.size(); ++k) {
-    const contact::MortarPair& pair = *pairs[k];
-    const double depth = depths[k];
-    if (deepen(depth, scene.state.time, next))
-      warnings.push_back(
-          warning_of(part(pair.slave), fmt::format("part '{}'", part(pair.master)), next[0], depth, length_unit));
-    next += 2;
-  }
+  for (std::size_t k = 0; k < depths.size(); ++k) take(pairs[k]->slave, pairs[k]->master, depths[k]);
   const std::vector<AtWall> here = held_behind_walls(scene, solver);
   for (std::size_t w = 0; w < here.size(); ++w) {
     const double depth = scene.links.ranks.max(here[w].depth);
     const GlobalIndex block = scene.links.ranks.max(GlobalIndex{here[w].depth == depth ? here[w].block : no_index});
-    if (deepen(depth, scene.state.time, next))
-      warnings.push_back(warning_of(part(static_cast<std::int32_t>(block)),
-                                    fmt::format("rigid wall '{}'", scene.model.walls[w].name), next[0], depth,
-                                    length_unit));
-    next += 2;
+    take(static_cast<std::int32_t>(block), static_cast<std::int32_t>(-1 - static_cast<std::ptrdiff_t>(w)), depth);
   }
-  return warnings;
+  return fresh;
 }
 
 double driven_penetration(const Solver& solver) {

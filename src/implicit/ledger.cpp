@@ -97,7 +97,7 @@ time::Ledger ledger(const Scene& scene, const Solver& solver) {
   result.mass = value[mass_of_all];
   result.momentum = {value[momentum_x], value[momentum_y], value[momentum_z]};
   result.impulse_given = {value[impulse_x], value[impulse_y], value[impulse_z]};
-  for (std::size_t w = 0; w < scene.model.walls.size(); ++w) {
+  for (std::size_t w = 0; w < scene.model.touching.walls.size(); ++w) {
     result.contact_totals.wall_impulse.emplace_back(&solver.walls.impulse[3 * w]);
     result.impulse_given += result.contact_totals.wall_impulse.back();
   }

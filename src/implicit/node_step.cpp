@@ -66,7 +66,7 @@ NodeStep commit_node(const Scene& scene, Solver& solver, std::size_t i) {
   mean_contact(trial, memory, i, step);
   if (const LocalIndex held = solver.held[i]; held != no_index) {
     const auto h = static_cast<std::size_t>(held);
-    const Mat3& free = scene.model.constrained[h].free;
+    const Mat3& free = scene.model.supports.nodes[h].free;
     if (trial.rule.mass > 0) step.after = free * step.after + trial.given_velocity[h];
     book_support(state, free, step, trial.rule.mass > 0, i);
   }

@@ -28,7 +28,7 @@ void drive(const model::Model& model, const model::RigidBody& body, const rigid:
   for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
     if (!body.drive[dof]) continue;
     const auto c = static_cast<int>(dof % 3);
-    const model::Drive& by = nth(model.drives, *body.drive[dof]);
+    const model::Drive& by = nth(model.supports.drives, *body.drive[dof]);
     const Given given = driven(by, dof < 3 ? before.velocity[c] : spin[c], from, to);
     (dof < 3 ? trial.given_shift : trial.given_turn)[c] = given.travel;
     (dof < 3 ? trial.given_velocity : trial.given_spin)[c] = given.velocity;
@@ -37,7 +37,8 @@ void drive(const model::Model& model, const model::RigidBody& body, const rigid:
 
 /// Acceleration of gravity, common to all bodies [length/time^2].
 Vec3 gravity_at(const model::Model& model, double time) {
-  return model.has_gravity() ? Vec3(model::value_at(model.gravity_curve, time) * model.gravity) : Vec3(Vec3::Zero());
+  return model.has_gravity() ? Vec3(model::value_at(model.loads.gravity_curve, time) * model.loads.gravity)
+                             : Vec3(Vec3::Zero());
 }
 
 /// The six unknowns of all bodies, sent by the root.

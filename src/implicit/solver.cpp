@@ -75,7 +75,7 @@ void start_memory(const Scene& scene, Solver& solver) {
     Vec3 force(&memory.internal_force[3 * i]);
     if (!memory.load.empty()) force += Vec3(&memory.load[3 * i]);
     if (const LocalIndex held = solver.held[i]; held != no_index)
-      force = nth(scene.model.constrained, held).free * force;
+      force = nth(scene.model.supports.nodes, held).free * force;
     Eigen::Map<Vec3>(&memory.acceleration[3 * i]) = force / scene.state.nodes[i].mass;
   }
   if (kept.inertial) {
@@ -130,8 +130,8 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
     solver.memory.contact_force = solver.memory.friction_force = solver.trial.contact_force;
   }
   solver.held.assign(scene.state.nodes.size(), no_index);
-  for (std::size_t k = 0; k < model.constrained.size(); ++k)
-    nth(solver.held, model.constrained[k].node) = static_cast<LocalIndex>(k);
+  for (std::size_t k = 0; k < model.supports.nodes.size(); ++k)
+    nth(solver.held, model.supports.nodes[k].node) = static_cast<LocalIndex>(k);
   solver.trial.displacement.assign(3 * scene.state.nodes.size(), 0.0);
   solver.trial.velocity.assign(3 * scene.state.nodes.size(), 0.0);
   const double spacing = scale_supports(scene, solver);
@@ -141,7 +141,7 @@ Solver make_solver(const Scene& scene, const model::ImplicitSolver& settings) {
     solver.trial.wall_force.assign(3 * scene.state.nodes.size(), 0.0);
     solver.trial.wall_friction = solver.memory.wall_force = solver.memory.wall_friction = solver.trial.wall_force;
   }
-  solver.driven.assign(2 * (model.mortar.size() + model.walls.size()), 0.0);
+  solver.driven.assign(2 * (model.touching.mortar.size() + model.touching.walls.size()), 0.0);
   start_memory(scene, solver);
   tally(ranks, solver.contact);
   show_bodies(model, scene.state, scene.scratch);
@@ -174,7 +174,7 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
       registry.arrays.push_back(
           {name, model::StateArray::Entity::global, -1, 1, width, values, 1, width, 1, 0, true, true});
   };
-  if (!model.mortar.empty()) {
+  if (!model.touching.mortar.empty()) {
     nodal("contact_force", memory.contact_force);
     nodal("friction_force", memory.friction_force);
     global("contact_account", &solver.contact_account.normal, contact_account_width);
@@ -184,7 +184,7 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     global("contact_roles", solver.contact.roles_before.data(), solver.contact.roles_before.size());
     global("friction_tractions", solver.contact.traction_before.data(), solver.contact.traction_before.size());
   }
-  if (!model.walls.empty()) {
+  if (!model.touching.walls.empty()) {
     nodal("wall_force", memory.wall_force);
     nodal("wall_friction", memory.wall_friction);
     global("wall_account", &solver.walls.account.normal, wall_account_width);
@@ -193,7 +193,7 @@ void add_arrays(const model::Model& model, Solver& solver, model::Registry& regi
     registry.arrays.push_back({"wall_penetration", model::StateArray::Entity::global, -1, 1, 1,
                                &solver.walls.penetration, 1, 1, 1, 0, true, false, false});
   }
-  if (!model.walls.empty() && !model.bodies.empty())
+  if (!model.touching.walls.empty() && !model.bodies.empty())
     registry.arrays.push_back({"wall_stiffness", model::StateArray::Entity::node, -1, model.nodes(), 1,
                                memory.wall_stiffness.data(), 1, 1, 1, 0, true, false, false});
   if (!solver.driven.empty())  // a diagnostic, not a state of the bodies

@@ -50,7 +50,7 @@ struct Trial {
   double time_before = 0;
   std::vector<double> displacement;  ///< of all nodes of this rank, three each: u at the iterate
   std::vector<double> velocity;      ///< likewise v_n
-  std::vector<Vec3> given;           ///< of Model::constrained: Q (u_{n+1} - u_n), Q the the constrained directions
+  std::vector<Vec3> given;           ///< of Model::supports.nodes: Q (u_{n+1} - u_n), Q the the constrained directions
   std::vector<Vec3> given_velocity;  ///< likewise along driven axes, at t_{n+1}
   std::vector<double> contact_force, friction_force;  ///< of all nodes, three each; empty without contact [force]
   std::vector<double> wall_force, wall_friction;      ///< likewise, set when the step is accepted [force]
@@ -93,7 +93,7 @@ struct Solver {
   force::History history;  ///< at the iterate
   std::vector<double>
       u;  ///< Newton's unknowns: of Unknowns::node, three each [length]; own multipliers [stress]; bodies
-  std::vector<LocalIndex> held;  ///< by local node: index into Model::constrained, or no_index
+  std::vector<LocalIndex> held;  ///< by local node: index into Model::supports.nodes, or no_index
   double support_stiffness = 0;  ///< of constrained directions in the system [force/length]
   Memory memory;
   ContactAccount contact_account;

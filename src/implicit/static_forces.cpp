@@ -19,7 +19,8 @@ Vec3 acting_on(const Memory& memory, std::size_t node) {
 /// A static run begins without loads.
 Vec3 weight_of(const Scene& scene, const model::RigidBody& body) {
   if (!scene.model.has_gravity() || scene.state.step == 0) return Vec3::Zero();
-  return body.body.mass.mass * model::value_at(scene.model.gravity_curve, scene.state.time) * scene.model.gravity;
+  return body.body.mass.mass * model::value_at(scene.model.loads.gravity_curve, scene.state.time) *
+         scene.model.loads.gravity;
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ Vec3 support_force(const model::Model& model, const Solver& solver, std::size_t 
   const LocalIndex held = solver.held[node];
   if (held == no_index) return Vec3::Zero();
   const Vec3 acting = acting_on(solver.memory, node);
-  return nth(model.constrained, held).free * acting - acting;
+  return nth(model.supports.nodes, held).free * acting - acting;
 }
 
 model::Wrench force_on_body(const Scene& scene, const Solver& solver, std::size_t body) {

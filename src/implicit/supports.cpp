@@ -26,15 +26,15 @@ Given driven(const model::Drive& drive, double velocity_before, double from, dou
 
 void prescribe(const Scene& scene, Trial& trial) {
   const model::Model& model = scene.model;
-  trial.given.assign(model.constrained.size(), Vec3::Zero());
-  trial.given_velocity.assign(model.constrained.size(), Vec3::Zero());
-  for (std::size_t k = 0; k < model.constrained.size(); ++k) {
-    const model::ConstrainedNode& node = model.constrained[k];
+  trial.given.assign(model.supports.nodes.size(), Vec3::Zero());
+  trial.given_velocity.assign(model.supports.nodes.size(), Vec3::Zero());
+  for (std::size_t k = 0; k < model.supports.nodes.size(); ++k) {
+    const LocalIndex node = model.supports.nodes[k].node;
     for (int c = 0; c < 3; ++c) {
-      const std::int32_t drive = nth(node.drive, c);
+      const std::int32_t drive = nth(model.supports.drive[k], c);
       if (drive < 0) continue;
-      const double before = trial.velocity[3 * static_cast<std::size_t>(node.node) + static_cast<std::size_t>(c)];
-      const Given given = driven(nth(model.drives, drive), before, trial.time_before, trial.time);
+      const double before = trial.velocity[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(c)];
+      const Given given = driven(nth(model.supports.drives, drive), before, trial.time_before, trial.time);
       trial.given[k][c] = given.travel;
       trial.given_velocity[k][c] = given.velocity;
     }

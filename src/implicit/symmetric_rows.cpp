@@ -144,13 +144,13 @@ void carry(const Solver& solver, std::span<const Entry> entries, std::size_t own
 Mat3 admitted_at(const Scene& scene, const Solver& solver, std::size_t own) {
   if (const WallAction* walls = action_of(solver.walls, own)) return walls->free;
   const LocalIndex held = nth(solver.held, solver.unknowns.node[own]);
-  return held == no_index ? Mat3(Mat3::Identity()) : nth(scene.model.constrained, held).free;
+  return held == no_index ? Mat3(Mat3::Identity()) : nth(scene.model.supports.nodes, held).free;
 }
 
 /// Factor of the entry of a multiplier in its own equation. B is the force of a pressure times Interface::by_gap; with
 /// this factor a compliant row is the spring that it is.
 double of_own(const Interface& face, std::size_t multiplier) {
-  return face.multipliers() == 1 && face.active[multiplier] != 0 ? face.by_gap(multiplier) : 1.0;
+  return face.multipliers() == 1 && face.iterate.active[multiplier] != 0 ? face.by_gap(multiplier) : 1.0;
 }
 
 /// Multipliers in action on this rank.
@@ -158,8 +158,8 @@ GlobalIndex multipliers_in_action(const MortarContact& contact) {
   GlobalIndex count = 0;
   for (const Interface& face : contact.interfaces)
     for (std::size_t row = 0; row < face.count(); ++row)
-      count += face.pair.tied            ? std::lround(face.tied[row].trace())
-               : face.multipliers() == 1 ? GlobalIndex{face.active[row]}
+      count += face.pair.tied            ? std::lround(face.start.tied[row].trace())
+               : face.multipliers() == 1 ? GlobalIndex{face.iterate.active[row]}
                                          : GlobalIndex{0};
   return count;
 }

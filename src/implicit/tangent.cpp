@@ -65,7 +65,7 @@ std::vector<Mat3> blocks_of(const Scene& scene, const Solver& solver, FrictionLi
   const auto i = static_cast<std::size_t>(solver.unknowns.node[r]);
   Mat3 taken = Mat3::Identity(), put_in = Mat3::Zero();
   if (const LocalIndex held = solver.held[i]; held != no_index) {
-    taken = nth(scene.model.constrained, held).free;
+    taken = nth(scene.model.supports.nodes, held).free;
     put_in = solver.support_stiffness * (Mat3::Identity() - taken);
   }
   if (const WallAction* walls = action_of(solver.walls, r)) {

@@ -18,17 +18,19 @@ struct Rates {
 Rates rates_of(const Interface& face, std::span<const Vec3> velocity) {
   Rates rates;
   for (std::size_t row = 0; row < face.count(); ++row) {
-    if (face.tie.covered[row] == 0) continue;
+    if (face.start.tie.covered[row] == 0) continue;
     const auto index = static_cast<LocalIndex>(row);
-    const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index), turned = face.levers.nodes.row(index);
+    const std::span<const LocalIndex> nodes = face.start.tie.weights.nodes.row(index),
+                                      turned = face.iterate.levers.nodes.row(index);
     Vec3 rate = Vec3::Zero();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const Vec3& v = nth(velocity, nodes[k]);
-      rate += face.tie.weights.row(index)[k] * v;
+      rate += face.start.tie.weights.row(index)[k] * v;
       rates.speed = std::max(rates.speed, v.norm());
     }
-    for (std::size_t k = 0; k < turned.size(); ++k) rate += face.levers.row(index)[k] * nth(velocity, turned[k]);
-    rates.apart = std::max(rates.apart, (face.tied[row] * rate).norm() / face.tie.covered[row]);
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      rate += face.iterate.levers.row(index)[k] * nth(velocity, turned[k]);
+    rates.apart = std::max(rates.apart, (face.start.tied[row] * rate).norm() / face.start.tie.covered[row]);
   }
   return rates;
 }

@@ -46,11 +46,6 @@ class PressureLaw {
     return volume * (now.share * pressure - now.cold_slope - now.share_slope * energy);
   }
 
-  [[nodiscard]] Pack pressure_at(Pack volume, Pack energy) const {
-    const Parts now = parts(volume);
-    return pack_max(now.cold + now.share * energy, broadcast(least_));
-  }
-
  private:
   struct Parts {
     Pack cold, cold_slope, share, share_slope;  ///< and by J

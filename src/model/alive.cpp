@@ -42,7 +42,7 @@ Living follow(const Model& model, const State& state) {
   if (state.alive.empty()) return living;
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
     living.lanes.push_back(living_lanes(model.blocks[b], state.alive[b]));
-  for (const PressureLoad& load : model.pressure) {
+  for (const PressureLoad& load : model.loads.pressure) {
     std::vector<char>& pressed = living.pressed.emplace_back();
     for (const mesh::ExteriorFace& face : load.faces) pressed.push_back(lives(model, state, face) ? 1 : 0);
   }

@@ -20,7 +20,7 @@ struct BodyJoint {
   rigid::Joint joint;                                  ///< its arms follow when the bodies have been weighed
   std::array<LocalIndex, 2> body{no_index, no_index};  ///< in Model::bodies; no_index: the ground
   Vec3 point = Vec3::Zero();                           ///< at the start, less the mesh's origin
-  std::array<std::optional<std::int32_t>, 3> drive{};  ///< of x, y, z of a pivot: index into Model::drives
+  std::array<std::optional<std::int32_t>, 3> drive{};  ///< of x, y, z of a pivot: index into Model::supports.drives
   double size = 0;                                     ///< of the bodies about the point [length]
   [[nodiscard]] bool is_support() const { return joint.kind == rigid::JointKind::pivot; }
 };

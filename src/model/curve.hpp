@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values over time given by points.
 #pragma once
-#include "model/model.hpp"
+#include <array>
+#include <vector>
 
 namespace brunt::model {
+
+/// Piecewise linear in time, constant outside its points; empty: 1.
+using Curve = std::vector<std::array<double, 2>>;
 
 /// Linear between the points, constant beyond the first and the last; 1 for an empty curve.
 double value_at(const Curve& curve, double time);

@@ -37,7 +37,6 @@ struct ElementBlock {
 
   LocalIndex count = 0;  ///< elements here; the last batch is padded with copies of the last element
   cells::Shape shape = cells::Shape::hex8;
-  int corners = 8;                    ///< of each element, as of its shape
   std::vector<GlobalIndex> gid;       ///< ascending
   std::vector<GlobalIndex> input;     ///< position in the input's order
   AlignedVector<LocalIndex> node;     ///< [batch][corner][lane], local
@@ -46,8 +45,9 @@ struct ElementBlock {
   int history_size = 0;               ///< doubles an element
 
   [[nodiscard]] LocalIndex batches() const { return (count + pack_width - 1) / pack_width; }
+  [[nodiscard]] int corners() const { return cells::of(shape).corners; }  ///< of each element
   [[nodiscard]] LocalIndex corner_node(LocalIndex e, int c) const {
-    const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * corners + c;
+    const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * corners() + c;
     return nth(node, row * pack_width + e % pack_width);
   }
   [[nodiscard]] const HistoryRange* find(const std::string& name) const {

@@ -2,18 +2,18 @@
 // The data of a run: Model is constant during the run, State changes with every step, Scratch is sized once and carries
 // nothing from one step to the next.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "contact/data/mortar_pair.hpp"
-#include "contact/data/specification.hpp"
 #include "core/aligned.hpp"
 #include "mesh/local_mesh.hpp"
 #include "model/body_joint.hpp"
 #include "model/element_block.hpp"
+#include "model/loads.hpp"
 #include "model/rigid_body.hpp"
+#include "model/supports.hpp"
+#include "model/touching.hpp"
 
 namespace brunt::model {
 
@@ -30,52 +30,6 @@ struct alignas(64) NodeLine {
   [[nodiscard]] Quad& v_late() { return *reinterpret_cast<Quad*>(v); }
 };
 
-/// Piecewise linear in time, constant outside its points; empty: 1.
-using Curve = std::vector<std::array<double, 2>>;
-
-/// A constrained node: velocity = free * v + prescribed part. `free` projects onto the free directions.
-struct ConstrainedNode {
-  LocalIndex node = 0;
-  Mat3 free = Mat3::Identity();
-  std::array<std::int32_t, 3> drive{-1, -1, -1};  ///< for x, y, z: index into Model::drives where the velocity is given
-};
-struct Drive {
-  Curve curve;
-  double scale = 1;
-  enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
-};
-
-struct PressureLoad {
-  std::vector<mesh::ExteriorFace> faces;
-  double value = 0;  ///< [stress]; positive values act inwards
-  Curve curve;
-};
-/// Forces of constant direction that do not follow the motion.
-struct DeadLoad {
-  Vec3 value = Vec3::Zero();  ///< of each node [force], of all together [force], or for each area [stress]
-  enum class Kind { each_node, total, traction } kind = Kind::each_node;
-  Curve curve;
-  std::vector<mesh::ExteriorFace> faces;  ///< over which a total or a traction is spread
-  std::vector<LocalIndex> nodes;          ///< ascending; of faces they are found by time::link_ranks, with the weights
-  std::vector<double> weight;             ///< factor of `value` at each of `nodes`: 1, share of the area, or area
-};
-struct RigidWall {
-  std::string name;
-  Vec3 point = Vec3::Zero();  ///< less the mesh's origin
-  Vec3 normal = Vec3::UnitZ();
-  bool bilateral = false;
-  Curve motion;  ///< velocity along the normal
-  bool moves = false;
-  contact::FrictionLaw friction;
-  std::vector<std::int32_t> blocks{};  ///< that it acts on, ascending; empty: all
-};
-
-/// Nodes in a plane of symmetry: the other half of each body lies behind it.
-struct SymmetryNodes {
-  Vec3 normal = Vec3::UnitZ();    ///< unit
-  std::vector<LocalIndex> nodes;  ///< ascending
-};
-
 /// Elements that are removed in the first step at or after a given time.
 struct Removal {
   double at = 0;            ///< [time]
@@ -83,9 +37,23 @@ struct Removal {
   std::vector<std::vector<LocalIndex>> elements;  ///< by block, ascending
 };
 
+/// What may leave the model.
+struct Losses {
+  std::vector<Removal> removals;      ///< by time
+  std::vector<char> erodes;           ///< by block: may it lose elements, on any rank?
+  std::vector<LocalIndex> uncovered;  ///< nodes of elements that may be removed, ascending: also of other ranks' ones
+};
+
 /// A corner of an element whose force is available in Scratch::slots.
 struct WatchedCorner {
   LocalIndex element = 0, node = 0, slot = 0;  ///< element: of its block
+};
+
+/// Nodes of several parts, where the energies of parts are asked for.
+struct BetweenParts {
+  bool booked = false;                              ///< such nodes exist, on any rank
+  std::vector<LocalIndex> nodes;                    ///< ascending
+  std::vector<std::vector<WatchedCorner>> corners;  ///< on those nodes: by block, ascending by element
 };
 
 struct Model {
@@ -94,50 +62,33 @@ struct Model {
   AlignedVector<Quad> reference;        ///< X of each node; the fourth is unused
   std::vector<LocalIndex> owned;        ///< nodes this rank owns
   std::vector<GlobalIndex> block_size;  ///< elements of each block on all ranks
-  bool any_constrained = false;         ///< on any rank
-  std::vector<char> erodes;             ///< by block: may it lose elements, on any rank?
-  bool books_interface = false;         ///< parts share nodes, on any rank, and their energies are recorded
 
   std::vector<RigidBody> bodies;  ///< the same on all ranks, by block
   std::vector<BodyJoint> joints;  ///< between them; supports of points behind those of the scene
   std::vector<rigid::JointGroup> joint_groups;
 
-  std::vector<ConstrainedNode> constrained;  ///< ascending by node
-  std::vector<Drive> drives;
-  Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
-  Curve gravity_curve;
-  double damping = 0;                       ///< alpha of the drag -alpha m v on every node [1/time]
-  double damping_from = 0, damping_to = 0;  ///< it acts on forces of t_n with from <= t_n < to
-  std::vector<PressureLoad> pressure;
-  std::vector<DeadLoad> dead_loads;
+  Supports supports;
+  Loads loads;
   bool relaxes = false;  ///< a phase before t = 0 finds the static state
-  std::vector<RigidWall> walls;
-  std::vector<char> in_symmetry_plane;  ///< a flag for each of mesh.faces: not a contact face
-  contact::Specification contact;
-  std::vector<contact::MortarPair> mortar{};  ///< of implicit scenes
-  std::vector<SymmetryNodes> symmetries{};    ///< likewise
-
-  std::vector<Removal> removals;      ///< by time
-  std::vector<LocalIndex> uncovered;  ///< nodes of elements that may be removed, ascending: also of other ranks' ones
+  Touching touching;
+  Losses losses;
 
   std::vector<LocalIndex> deferred;  ///< nodes finished after contact and constraints, ascending
   std::vector<LocalIndex> watched;   ///< nodes of which every corner force stays in Scratch::slots, ascending
-  std::vector<LocalIndex>
-      between_parts;  ///< nodes of several parts, where the energies of parts are asked for; ascending
-  std::vector<std::vector<WatchedCorner>> interface_corners;  ///< on those nodes: by block, ascending by element
+  BetweenParts between_parts;
   [[nodiscard]] LocalIndex nodes() const { return static_cast<LocalIndex>(mesh.node_gid.size()); }
-  [[nodiscard]] bool has_gravity() const { return gravity.squaredNorm() > 0; }
-  [[nodiscard]] bool damped() const { return damping > 0; }
+  [[nodiscard]] bool has_gravity() const { return loads.gravity.squaredNorm() > 0; }
+  [[nodiscard]] bool damped() const { return loads.damping.alpha > 0; }
   /// Whether elements may be removed, by entries of the scene or by erosion.
   [[nodiscard]] bool any_erosion() const {
     for (const ElementBlock& block : blocks)
       if (block.erosion) return true;
     return false;
   }
-  [[nodiscard]] bool loses_elements() const { return !removals.empty() || any_erosion(); }
+  [[nodiscard]] bool loses_elements() const { return !losses.removals.empty() || any_erosion(); }
   /// Whether the work of loads is recorded. The search for a static state needs it even without loads.
   [[nodiscard]] bool loaded() const {
-    return has_gravity() || damped() || relaxes || !pressure.empty() || !dead_loads.empty();
+    return has_gravity() || damped() || relaxes || !loads.pressure.empty() || !loads.dead.empty();
   }
 };
 

@@ -37,8 +37,9 @@ struct RigidBody {
   std::vector<std::int32_t> blocks;  ///< of its elements, that of `part` first; several parts may be one body
   GivenMass given;
   StartMotion start;
-  std::vector<Vec3> held_shift, held_turn;           ///< directions that supports hold or drive
-  std::array<std::optional<std::int32_t>, 6> drive;  ///< of x, y, z and of the rotations: index into Model::drives
+  std::vector<Vec3> held_shift, held_turn;  ///< directions that supports hold or drive
+  std::array<std::optional<std::int32_t>, 6>
+      drive;  ///< of x, y, z and of the rotations: index into Model::supports.drives
   std::vector<MirrorPlane> mirrors;
 
   rigid::MassProperties own;  ///< of its parts alone

@@ -67,8 +67,4 @@ void move(const Body& body, double dt, BodyState& state) {
   state.orientation = (state.orientation * turn).normalized();
 }
 
-Vec3 position_of(const Body& body, const BodyState& state, const Vec3& reference) {
-  return body.mass.centre + state.displacement + state.orientation * (reference - body.mass.centre);
-}
-
 }  // namespace brunt::rigid

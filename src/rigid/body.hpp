@@ -51,8 +51,4 @@ struct BodyState {
 /// Advances to t_n + dt without forces.
 void move(const Body& body, double dt, BodyState& state);
 
-/// Present position of the point of the body that was at `reference` (measured from the same point as the body's
-/// centre).
-[[nodiscard]] Vec3 position_of(const Body& body, const BodyState& state, const Vec3& reference);
-
 }  // namespace brunt::rigid

@@ -19,6 +19,9 @@
 #include "mesh/round_form.hpp"
 #include "model/erosion.hpp"
 #include "model/implicit_solver.hpp"
+#include "model/loads.hpp"
+#include "model/supports.hpp"
+#include "model/touching.hpp"
 #include "rigid/joint.hpp"
 #include "scene/guards.hpp"
 #include "scene/text/places.hpp"
@@ -134,7 +137,8 @@ struct Symmetry {
 struct Prescribed {
   std::string where;
   int dof = 0;  ///< x, y, z; 3 and more: rotation about x, y, z, of a rigid part [rad]
-  enum class Gives { velocity, displacement, acceleration } gives = Gives::velocity;
+  using Gives = model::Drive::Gives;
+  Gives gives = Gives::velocity;
   std::string curve;  ///< of the prescribed quantity over time, multiplied by `scale`; empty: constant 1
   double scale = 1;
 };
@@ -143,10 +147,8 @@ struct Pressure {
   double value = 0;
   std::string curve;
 };
-struct DeadLoad {
-  std::string where;          ///< set or part; of a traction a side set
-  Vec3 value = Vec3::Zero();  ///< [force], of a traction [stress]
-  enum class Kind { each_node, total, traction } kind = Kind::each_node;
+struct DeadLoad : model::DeadForce {
+  std::string where;  ///< set or part; of a traction a side set
   std::string curve;
 };
 /// Elements that are removed from the model: those of a part, or those with all their nodes in a set.
@@ -163,14 +165,7 @@ struct Gravity {
   Vec3 vector = Vec3::Zero();
   std::string curve;
 };
-struct Damping {
-  double alpha = 0, from = 0, to = std::numeric_limits<double>::infinity();  ///< f = -alpha m v while from <= t < to
-};
-struct RigidWall {
-  std::string name;
-  Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< unit normal, outward, towards the bodies
-  contact::FrictionLaw friction;
-  bool bilateral = false;
+struct RigidWall : model::PlaneWall {
   std::string motion;                ///< curve of the wall's velocity along its normal; empty: at rest
   std::vector<std::string> parts{};  ///< that it acts on; empty: all
 };
@@ -264,7 +259,7 @@ struct Input {
   std::vector<Removal> remove;
   std::optional<Relaxation> relaxation;
   std::optional<Gravity> gravity;
-  std::optional<Damping> damping;
+  std::optional<model::Damping> damping;
   std::vector<RigidWall> rigid_walls;
   std::vector<Joint> joints;
   Enforcement enforcement;

@@ -37,7 +37,8 @@ model::Wrench wrench_of(const double* sums) {
 
 /// Gravity at t_n [length/time^2].
 Vec3 gravity_at(const model::Model& model, double time) {
-  return model.has_gravity() ? Vec3(model::value_at(model.gravity_curve, time) * model.gravity) : Vec3(Vec3::Zero());
+  return model.has_gravity() ? Vec3(model::value_at(model.loads.gravity_curve, time) * model.loads.gravity)
+                             : Vec3(Vec3::Zero());
 }
 
 /// Prescribed velocities of the body by drives for the next half step.
@@ -49,7 +50,7 @@ void drive(const model::Model& model, const model::State& state, const RigidBody
   for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
     if (!body.drive[dof]) continue;
     const auto c = static_cast<int>(dof % 3);
-    const model::Drive& drive = nth(model.drives, *body.drive[dof]);
+    const model::Drive& drive = nth(model.supports.drives, *body.drive[dof]);
     const double before = dof < 3 ? now.before.velocity[c] : now.before.spin[c];
     (dof < 3 ? now.given_velocity : now.given_spin)[c] =
         driven_component(drive, before, state.time, step.dt, step.dt_mean);
@@ -217,7 +218,7 @@ void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer>
     if (!model.bodies[b].is_jointed)
       push_body(model.bodies[b], answers[b].impulse, answers[b].change, step.drag, scratch.bodies[b]);
   push_jointed(model, state, answers, step, scratch);
-  if (!model.books_interface) return;
+  if (!model.between_parts.booked) return;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyStep& now = scratch.bodies[b];
     for_nodes(model.bodies[b], [&](std::size_t, std::size_t i) {

@@ -80,7 +80,7 @@ MassMoments element_moments(const model::Model& model, const model::ElementBlock
                             const Vec3& from) {
   const double density = material::initial_moduli(block.law).density;
   std::array<Vec3, cells::most_corners> corner;
-  for (int c = 0; c < block.corners; ++c) nth(corner, c) = of(nth(model.reference, block.corner_node(e, c))) - from;
+  for (int c = 0; c < block.corners(); ++c) nth(corner, c) = of(nth(model.reference, block.corner_node(e, c))) - from;
   return block.shape == cells::Shape::hex8
              ? rigid::hexahedron_moments(corner, density)
              : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
@@ -130,7 +130,7 @@ void start_point(const model::Model& model, const model::BodyJoint& joint, std::
   for (std::size_t c = 0; c < 3; ++c)
     if (joint.drive[c]) {
       const auto k = static_cast<int>(c);
-      now.velocity[k] += driven_start(nth(model.drives, *joint.drive[c]), initial[k]) - initial[k];
+      now.velocity[k] += driven_start(nth(model.supports.drives, *joint.drive[c]), initial[k]) - initial[k];
     }
 }
 
@@ -173,7 +173,7 @@ void start_bodies(const model::Model& model, model::State& state) {
     for (std::size_t dof = 0; dof < body.drive.size(); ++dof) {
       if (!body.drive[dof]) continue;
       const auto c = static_cast<int>(dof % 3);
-      const model::Drive& drive = nth(model.drives, *body.drive[dof]);
+      const model::Drive& drive = nth(model.supports.drives, *body.drive[dof]);
       (dof < 3 ? now.velocity : spin)[c] = driven_start(drive, (dof < 3 ? velocity : body.start.spin)[c]);
     }
     for (const model::BodyJoint& joint : model.joints) start_point(model, joint, b, spin, now);

@@ -36,12 +36,12 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
   state.nodes.assign(n, model::NodeLine{});
   scratch.force.resize(n);
   const bool may_drop =
-      std::ranges::any_of(model.removals, [](const model::Removal& removal) { return !removal.keeps_nodes; }) ||
+      std::ranges::any_of(model.losses.removals, [](const model::Removal& removal) { return !removal.keeps_nodes; }) ||
       std::ranges::any_of(
           model.blocks, [](const model::ElementBlock& block) { return block.erosion && !block.erosion->keeps_nodes; });
   const bool keeps_before = !model.deferred.empty() || model.damped() || !model.bodies.empty() || may_drop;
   scratch.before.assign(keeps_before ? n : 0, Vec3::Zero());
-  scratch.reaction.resize(model.constrained.size());
+  scratch.reaction.resize(model.supports.nodes.size());
   std::size_t slots = 0;
   for (const model::ElementBlock& block : model.blocks) slots += block.border.values.size();
   scratch.slots.assign(4 * slots, 0.0);
@@ -51,10 +51,11 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
     scratch.load.resize(n);
   }
   if (model.damped()) state.damping_work.assign(n, 0.0);
-  if (model.any_constrained) {
+  if (model.supports.any) {
     state.reaction_work.assign(n, 0.0);
     state.reaction_impulse.assign(3 * n, 0.0);
-    if (model.contact.pairs.any_acts() || !model.walls.empty()) scratch.contact_impulse.assign(n, Vec3::Zero());
+    if (model.touching.contact.pairs.any_acts() || !model.touching.walls.empty())
+      scratch.contact_impulse.assign(n, Vec3::Zero());
   }
   state.bodies.assign(model.bodies.size(), {});
   state.body_accounts.assign(model.bodies.size(), {});
@@ -63,8 +64,8 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
     state.held_force.assign(3 * n, 0.0);
     state.held_wrench.assign(model.bodies.size(), {});
   }
-  state.wall_position.assign(model.walls.size(), 0.0);
-  if (model.books_interface)
+  state.wall_position.assign(model.touching.walls.size(), 0.0);
+  if (model.between_parts.booked)
     for (const model::ElementBlock& block : model.blocks)
       state.interface_work.emplace_back(static_cast<std::size_t>(block.count), 0.0);
 }
@@ -76,13 +77,14 @@ void size_removals(const model::Model& model, model::State& state, model::Scratc
   for (auto* arrays : {&state.alive, &state.element_work, &scratch.last_work}) arrays->resize(n);
   for (auto* arrays : {&scratch.element_force, &scratch.element_power, &scratch.element_bounds}) arrays->resize(n);
   for (std::size_t b = 0; b < n; ++b) {
-    if (model.erodes[b] == 0) continue;
+    if (model.losses.erodes[b] == 0) continue;
     const auto count = static_cast<std::size_t>(model.blocks[b].count);
     const auto batches = static_cast<std::size_t>(model.blocks[b].batches());
     state.alive[b].assign(count, 1.0);
     state.element_work[b].assign(count, 0.0);
     scratch.last_work[b].assign(count, 0.0);
-    scratch.element_force[b].assign(batches * 3 * static_cast<std::size_t>(model.blocks[b].corners) * pack_width, 0.0);
+    scratch.element_force[b].assign(batches * 3 * static_cast<std::size_t>(model.blocks[b].corners()) * pack_width,
+                                    0.0);
     scratch.element_power[b].assign(batches * pack_width, 0.0);
     if (model.blocks[b].erosion) scratch.element_bounds[b].assign(2 * batches * pack_width, 0.0);
   }
@@ -122,17 +124,17 @@ void add_bodies(model::State& state, std::vector<model::StateArray>& arrays) {
 void initialise(model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
                 std::span<const Vec3> velocity) {
   // decided over all ranks: a registry must list the same arrays everywhere
-  model.any_constrained = links.ranks.any(!model.constrained.empty());
-  model.books_interface = links.ranks.any(!model.between_parts.empty());
+  model.supports.any = links.ranks.any(!model.supports.nodes.empty());
+  model.between_parts.booked = links.ranks.any(!model.between_parts.nodes.empty());
   model.block_size.clear();
   for (const model::ElementBlock& block : model.blocks)
     model.block_size.push_back(links.ranks.sum(GlobalIndex{block.count}));
-  model.erodes.assign(model.blocks.size(), 0);
-  for (const model::Removal& removal : model.removals)
+  model.losses.erodes.assign(model.blocks.size(), 0);
+  for (const model::Removal& removal : model.losses.removals)
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
-      if (links.ranks.any(!removal.elements[b].empty())) model.erodes[b] = 1;
+      if (links.ranks.any(!removal.elements[b].empty())) model.losses.erodes[b] = 1;
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
-    if (model.blocks[b].erosion) model.erodes[b] = 1;
+    if (model.blocks[b].erosion) model.losses.erodes[b] = 1;
   size_histories(model, state);
   size_removals(model, state, scratch);
   size_nodes(model, state, scratch);
@@ -167,13 +169,14 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
 void start_velocities(const model::Model& model, model::State& state, std::span<const Vec3> velocity) {
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     for (int c = 0; c < 3; ++c) state.nodes[i].v[c] = velocity[i][c];
-  for (const model::ConstrainedNode& constrained : model.constrained) {
+  for (std::size_t k = 0; k < model.supports.nodes.size(); ++k) {
+    const contact::ConstrainedNode& constrained = model.supports.nodes[k];
     Eigen::Map<Vec3> v(nth(state.nodes, constrained.node).v);
     const Vec3 given = v;
     v = constrained.free * v;
     for (int c = 0; c < 3; ++c) {
-      const std::int32_t drive = nth(constrained.drive, c);
-      if (drive >= 0) v[c] = driven_start(nth(model.drives, drive), given[c]);
+      const std::int32_t drive = nth(model.supports.drive[k], c);
+      if (drive >= 0) v[c] = driven_start(nth(model.supports.drives, drive), given[c]);
     }
   }
   start_bodies(model, state);
@@ -217,7 +220,7 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
     arrays.push_back(nodal("load_impulse", state.load_impulse, 3, n));
   }
   if (model.damped()) arrays.push_back(nodal("damping_work", state.damping_work, 1, n));
-  if (model.any_constrained) {
+  if (model.supports.any) {
     arrays.push_back(nodal("reaction_work", state.reaction_work, 1, n));
     arrays.push_back(nodal("reaction_impulse", state.reaction_impulse, 3, n));
   }
@@ -237,8 +240,8 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
       arrays.push_back({"block/" + block.part + name, model::StateArray::Entity::element, static_cast<std::int32_t>(b),
                         block.count, 1, values.data(), 1, 1, 1, 0, true, true});
     };
-    if (model.books_interface) by_element("/interface_work", state.interface_work[b]);
-    if (b < model.erodes.size() && model.erodes[b] != 0) {
+    if (model.between_parts.booked) by_element("/interface_work", state.interface_work[b]);
+    if (b < model.losses.erodes.size() && model.losses.erodes[b] != 0) {
       by_element("/alive", state.alive[b]);
       by_element("/work", state.element_work[b]);
     }

@@ -90,7 +90,7 @@ template <class Visit>
 void for_driven(const model::Model& model, const BodyJoint& joint, const JointPlace& place, Visit&& visit) {
   Eigen::Index row = place.first_row;
   for (std::size_t c = 0; c < 3; ++c) {
-    if (joint.drive[c]) visit(row, nth(model.drives, *joint.drive[c]));
+    if (joint.drive[c]) visit(row, nth(model.supports.drives, *joint.drive[c]));
     if (joint.joint.holds[c]) ++row;
   }
 }

@@ -80,10 +80,10 @@ class Lanczos {
       const double* mass = state_.history[b].data();  // the first entry of an element's history
       for (LocalIndex batch = 0; batch < block.batches() && !material::is_rigid(block.law); ++batch) {
         const auto share = [&](int lane) {
-          return mass[static_cast<std::ptrdiff_t>(batch) * block.history_size * pack_width + lane] / block.corners;
+          return mass[static_cast<std::ptrdiff_t>(batch) * block.history_size * pack_width + lane] / block.corners();
         };
         for (int lane = 0; lane < std::min(pack_width, block.count - batch * pack_width); ++lane)
-          for (int c = 0; c < block.corners; ++c)
+          for (int c = 0; c < block.corners(); ++c)
             nth(answer_, block.corner_node(batch * pack_width + lane, c))[0] += share(lane);
         for (const model::BorderCorner& corner : block.border.row(batch))
           slots_[4 * static_cast<std::size_t>(corner.slot)] = share(corner.lane);

@@ -64,7 +64,7 @@ void add_node(const model::Model& model, const model::State& state, const model:
     }
     for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.load_impulse[3 * i + c]);
   }
-  if (model.any_constrained) {
+  if (model.supports.any) {
     sums[reaction_work].add(state.reaction_work[i] - (reaction ? 0.5 * v.dot(*reaction) : 0.0));
     for (std::size_t c = 0; c < 3; ++c) sums[impulse_x + c].add(state.reaction_impulse[3 * i + c]);
   }
@@ -129,9 +129,9 @@ void add_nodes(const model::Model& model, const model::State& state, const model
     if (!carried.empty() && nth(carried, node)) continue;
     NodeStep own{.is_dropped = std::ranges::binary_search(state.living.dropped, node)};
     if (model.damped() || nth(state.nodes, node).deferred != 0.0) own.before = &nth(scratch.before, node);
-    while (next_constrained < model.constrained.size() && model.constrained[next_constrained].node < node)
+    while (next_constrained < model.supports.nodes.size() && model.supports.nodes[next_constrained].node < node)
       ++next_constrained;
-    if (next_constrained < model.constrained.size() && model.constrained[next_constrained].node == node)
+    if (next_constrained < model.supports.nodes.size() && model.supports.nodes[next_constrained].node == node)
       own.reaction = &scratch.reaction[next_constrained];
     add_node(model, state, scratch, step, own, static_cast<std::size_t>(node), sums);
   }

@@ -20,7 +20,7 @@ std::vector<comm::Contribution> number_slots(model::Model& model) {
     block.border.clear();
     for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
       for (int lane = 0; lane < std::min(pack_width, block.count - batch * pack_width); ++lane)
-        for (int c = 0; c < block.corners; ++c) {
+        for (int c = 0; c < block.corners(); ++c) {
           const LocalIndex element = batch * pack_width + lane, node = block.corner_node(element, c);
           if (!nth(shared, node)) continue;
           block.border.values.push_back({static_cast<std::int8_t>(lane), static_cast<std::int8_t>(c),
@@ -35,9 +35,9 @@ std::vector<comm::Contribution> number_slots(model::Model& model) {
 
 /// The corners on nodes between parts, whose work is recorded element by element.
 void find_interface(model::Model& model) {
-  model.interface_corners.clear();
+  model.between_parts.corners.clear();
   for (const model::ElementBlock& block : model.blocks)
-    model.interface_corners.push_back(force::watched_corners(block, model.between_parts));
+    model.between_parts.corners.push_back(force::watched_corners(block, model.between_parts.nodes));
 }
 
 /// Distribution of a total or a traction: every face gives equal shares of its reference area to its corners. Sums at a
@@ -69,7 +69,7 @@ void weigh_dead_load(const comm::Communicator& ranks, model::DeadLoad& load, con
 }
 
 void weigh_dead_loads(const comm::Communicator& ranks, model::Model& model, std::span<const GlobalIndex> shared_gid) {
-  for (model::DeadLoad& load : model.dead_loads)
+  for (model::DeadLoad& load : model.loads.dead)
     if (load.kind == model::DeadLoad::Kind::each_node)
       load.weight.assign(load.nodes.size(), 1.0);
     else
@@ -92,7 +92,7 @@ Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   if (const auto faces = mesh.side_sets.find(mesh::inner_faces); faces != mesh.side_sets.end())
     links.inner_faces = surface::join_faces(ranks, mesh, faces->second);
   links.pressure_corners = force::pressure_corners(model);
-  if (!model.pressure.empty()) {
+  if (!model.loads.pressure.empty()) {
     std::vector<comm::Contribution> faces;
     for (const force::PressureCorner& corner : links.pressure_corners)
       faces.push_back({corner.key, nth(mesh.node_gid, corner.node), corner.node});

@@ -103,14 +103,15 @@ void predict_nodes(const model::Model& model, model::State& state, model::Scratc
     predict_all<false, false>(model, state, scratch, step, velocities);
 }
 
-/// The prescribed velocity of a constrained node at the next half step; none before t = 0.
-Vec3 driven_velocity(const model::Model& model, const model::State& state, const model::ConstrainedNode& constrained,
+/// What the drives of a constrained node give its velocity at the next half step; nothing before t = 0.
+Vec3 driven_velocity(const model::Model& model, const model::State& state, const std::array<std::int32_t, 3>& drives,
                      const Vec3& before, double dt, double dt_mean) {
   Vec3 velocity = Vec3::Zero();
   if (state.relaxation.under_way != 0) return velocity;
   for (int c = 0; c < 3; ++c) {
-    const std::int32_t drive = nth(constrained.drive, c);
-    if (drive >= 0) velocity[c] = driven_component(nth(model.drives, drive), before[c], state.time, dt, dt_mean);
+    const std::int32_t drive = nth(drives, c);
+    if (drive >= 0)
+      velocity[c] = driven_component(nth(model.supports.drives, drive), before[c], state.time, dt, dt_mean);
   }
   return velocity;
 }
@@ -147,16 +148,16 @@ contact::VelocitySpan predict(const model::Model& model, model::State& state, mo
   }
   NodeSpread velocities;
   predict_nodes(model, state, scratch, step, velocities);
-  for (std::size_t k = 0; k < model.constrained.size(); ++k) {
-    const model::ConstrainedNode& constrained = model.constrained[k];
+  for (std::size_t k = 0; k < model.supports.nodes.size(); ++k) {
+    const contact::ConstrainedNode& constrained = model.supports.nodes[k];
     NodeLine& node = nth(state.nodes, constrained.node);
     if (node.is_dropped()) {
       scratch.reaction[k].setZero();
       continue;
     }
     Eigen::Map<Vec3> v(node.v);
-    const Vec3 given =
-        driven_velocity(model, state, constrained, nth(scratch.before, constrained.node), step.dt, step.dt_mean);
+    const Vec3 given = driven_velocity(model, state, model.supports.drive[k], nth(scratch.before, constrained.node),
+                                       step.dt, step.dt_mean);
     const Vec3 allowed = constrained.free * v + given;
     scratch.reaction[k] = (1 + step.drag) * node.mass * (allowed - v);
     v = allowed;
@@ -205,8 +206,8 @@ void finish_late(const model::Model& model, model::State& state, model::Scratch&
       fetch(model, state, scratch, static_cast<std::size_t>(model.deferred[k + ahead]));
     const auto i = static_cast<std::size_t>(model.deferred[k]);
     NodeLine& node = state.nodes[i];
-    const bool constrained =
-        next_constrained < model.constrained.size() && model.constrained[next_constrained].node == model.deferred[k];
+    const bool constrained = next_constrained < model.supports.nodes.size() &&
+                             model.supports.nodes[next_constrained].node == model.deferred[k];
     if (node.is_dropped()) {
       next_constrained += constrained ? 1 : 0;
       continue;

@@ -79,7 +79,7 @@ void stop_nodes(const model::Model& model, model::State& state, const model::Scr
     Eigen::Map<Vec3>(node.v) =
         -0.5 * dt_mean / node.mass * (of(scratch.force[i]) + of(scratch.load[i]) + Vec3(&state.held_force[3 * i]));
   }
-  for (const model::ConstrainedNode& constrained : model.constrained) {
+  for (const contact::ConstrainedNode& constrained : model.supports.nodes) {
     Eigen::Map<Vec3> v(nth(state.nodes, constrained.node).v);
     v = constrained.free * v;
   }

@@ -18,7 +18,8 @@ bool is_due(const model::Removal& removal, const model::State& state) {
 }  // namespace
 
 bool removal_is_due(const model::Model& model, const model::State& state) {
-  return std::ranges::any_of(model.removals, [&](const model::Removal& removal) { return is_due(removal, state); });
+  return std::ranges::any_of(model.losses.removals,
+                             [&](const model::Removal& removal) { return is_due(removal, state); });
 }
 
 void follow_alive(const comm::Communicator& ranks, const model::Model& model, model::State& state) {
@@ -30,7 +31,7 @@ void follow_alive(const comm::Communicator& ranks, const model::Model& model, mo
 std::vector<GlobalIndex> remove_elements(const comm::Communicator& ranks, const model::Model& model,
                                          model::State& state) {
   std::vector<GlobalIndex> lost(model.blocks.size(), 0);
-  for (const model::Removal& removal : model.removals) {
+  for (const model::Removal& removal : model.losses.removals) {
     if (!is_due(removal, state)) continue;
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
       for (const LocalIndex element : removal.elements[b]) {

@@ -27,9 +27,9 @@ double next_dt(const model::State& state, const StepControl& control, double sta
 /// If damping acts at t_n or will act at t_{n+1}, both steps adjacent to that time are bounded: a = alpha dt_mean / 2
 /// <= cfl, so that damping alone changes no velocity's sign.
 double bounded_by_damping(const model::Model& model, const model::State& state, const StepControl& control, double dt) {
-  const bool acts = model.damped() && state.relaxation.under_way == 0 && state.time + dt >= model.damping_from &&
-                    state.time < model.damping_to;
-  return acts ? std::min(dt, 2 * control.cfl / model.damping) : dt;
+  const bool acts = model.damped() && state.relaxation.under_way == 0 && state.time + dt >= model.loads.damping.from &&
+                    state.time < model.loads.damping.to;
+  return acts ? std::min(dt, 2 * control.cfl / model.loads.damping.alpha) : dt;
 }
 
 void remember_rate(model::State& state, double rate) {
@@ -47,8 +47,8 @@ double wall_speed(const model::RigidWall& wall, const model::State& state, doubl
 /// `walls` keeps its storage from step to step.
 void place_walls(const model::Model& model, const model::State& state, double time, std::vector<contact::Wall>& walls) {
   walls.clear();
-  for (std::size_t w = 0; w < model.walls.size(); ++w) {
-    const model::RigidWall& wall = model.walls[w];
+  for (std::size_t w = 0; w < model.touching.walls.size(); ++w) {
+    const model::RigidWall& wall = model.touching.walls[w];
     walls.push_back({wall.point + state.wall_position[w] * wall.normal, wall.normal,
                      wall_speed(wall, state, time) * wall.normal, wall.bilateral, wall.friction, wall.blocks});
   }
@@ -82,11 +82,11 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
                 scratch);
   if (scratch.contact_impulse.empty()) return;
   // impulses of contact along constrained directions act on the supports
-  for (const model::ConstrainedNode& constrained : model.constrained)
+  for (const contact::ConstrainedNode& constrained : model.supports.nodes)
     nth(scratch.contact_impulse, constrained.node).setZero();
   contact::add_impulses(contact, scratch.contact_impulse);
-  for (std::size_t k = 0; k < model.constrained.size(); ++k) {
-    const model::ConstrainedNode& constrained = model.constrained[k];
+  for (std::size_t k = 0; k < model.supports.nodes.size(); ++k) {
+    const contact::ConstrainedNode& constrained = model.supports.nodes[k];
     const Vec3& impulse = nth(scratch.contact_impulse, constrained.node);
     scratch.reaction[k] -= impulse - constrained.free * impulse;
   }
@@ -154,11 +154,11 @@ void advance(const model::Model& model, model::State& state, model::Scratch& scr
   const auto timed = links.timers.measure(Phase::other);
   finish_late(model, state, scratch, interval);
   if (!model.bodies.empty()) book_bodies(model, state, scratch, interval);
-  if (model.books_interface) force::book_interface(model, state, scratch, step.dt_mean);
+  if (model.between_parts.booked) force::book_interface(model, state, scratch, step.dt_mean);
   force::book_element_work(model, state, scratch, step.dt_mean);
   if (!model.bodies.empty()) move_bodies(model, state, scratch, step.dt);
-  for (std::size_t w = 0; w < model.walls.size(); ++w)
-    state.wall_position[w] += step.dt * wall_speed(model.walls[w], state, state.time + 0.5 * step.dt);
+  for (std::size_t w = 0; w < model.touching.walls.size(); ++w)
+    state.wall_position[w] += step.dt * wall_speed(model.touching.walls[w], state, state.time + 0.5 * step.dt);
   state.time_before = state.time;
   state.time += step.dt;
   state.dt = step.dt;

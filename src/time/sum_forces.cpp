@@ -19,7 +19,7 @@ void sum_forces(const model::Model& model, const model::State& state, model::Scr
     for (const LocalIndex node : state.living.dropped) nth(scratch.load, node) = Quad{};
   links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
                           4);
-  if (model.pressure.empty()) return;
+  if (model.loads.pressure.empty()) return;
 
   force::pressure_forces(model, state, links.pressure_slots);
   const std::span<const double> slots{reinterpret_cast<const double*>(links.pressure_slots.data()),

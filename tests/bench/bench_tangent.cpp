@@ -32,7 +32,7 @@ void measure(ElementKind kind, const char* name, const material::Law& law) {
   bench.place([](const Vec3& X) { return Vec3(1.01 * X[0], X[1] + 0.02 * X[2], X[2]); }, 1);
   force::History trial = bench.state.history;
   const auto count = static_cast<std::size_t>(bench.block().count),
-             corners = static_cast<std::size_t>(bench.block().corners);
+             corners = static_cast<std::size_t>(bench.block().corners());
   std::vector<LocalIndex> all(count);
   std::iota(all.begin(), all.end(), 0);
   std::vector<double> K(count * 9 * corners * corners);

@@ -21,7 +21,7 @@ void write_faces(const comm::Communicator& ranks, const std::string& folder, con
                  const std::vector<std::string>& overrides) {
   const std::unique_ptr<app::Prepared> run = app::prepare(ranks, scene, overrides);
   const contact::Surface& surface = run->contact->surface;
-  const contact::Specification& specification = run->model.contact;
+  const contact::Specification& specification = run->model.touching.contact;
   const contact::Roles roles = contact::roles_of(surface.bodies, specification);
   const contact::ContactSettings settings;
   const contact::ListSettings reach{.tolerances = settings.detection.tolerances,

@@ -30,7 +30,6 @@ struct ElementBlockBench {
     block.law = law;
     block.hourglass.kind = hourglass;
     block.shape = kind == element::ElementKind::tet4 ? cells::Shape::tet4 : cells::Shape::hex8;
-    block.corners = cells::of(block.shape).corners;
     number(box.blocks[0], block);
     for (std::size_t i = 0; i < box.coordinates.size(); ++i) {
       const Vec3& X = box.coordinates[i];
@@ -93,7 +92,7 @@ struct ElementBlockBench {
   [[nodiscard]] std::vector<double> matrices(bool viscous = false) const {
     std::vector<LocalIndex> all(static_cast<std::size_t>(block().count));
     for (std::size_t e = 0; e < all.size(); ++e) all[e] = static_cast<LocalIndex>(e);
-    const auto size = static_cast<std::size_t>(9 * block().corners * block().corners);
+    const auto size = static_cast<std::size_t>(9 * block().corners() * block().corners());
     std::vector<double> K(all.size() * size);
     force::element_tangents(model, 0, all, motion(viscous), state.history, K);
     return K;
@@ -104,8 +103,8 @@ struct ElementBlockBench {
     const std::vector<double> of_elements = matrices(viscous);
     const double* entry = of_elements.data();
     for (LocalIndex e = 0; e < block().count; ++e)
-      for (int row = 0; row < 3 * block().corners; ++row)
-        for (int column = 0; column < 3 * block().corners; ++column)
+      for (int row = 0; row < 3 * block().corners(); ++row)
+        for (int column = 0; column < 3 * block().corners(); ++column)
           K(3 * block().corner_node(e, row / 3) + row % 3, 3 * block().corner_node(e, column / 3) + column % 3) +=
               *entry++;
     return K;
@@ -126,7 +125,7 @@ struct ElementBlockBench {
     }
     block.count = static_cast<LocalIndex>(elements.size());
     for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
-      for (int c = 0; c < block.corners; ++c)
+      for (int c = 0; c < block.corners(); ++c)
         for (int lane = 0; lane < pack_width; ++lane) {
           const LocalIndex e = std::min(batch * pack_width + lane, block.count - 1);
           block.node.push_back(elements[static_cast<std::size_t>(e)][static_cast<std::size_t>(c)]);

@@ -21,9 +21,9 @@ namespace {
 
 std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, const contact::Rebuild& rebuild) {
   const model::Model& model = simulation.model;
-  if (!model.contact.pairs.any_acts() && model.walls.empty()) return nullptr;
+  if (!model.touching.contact.pairs.any_acts() && model.touching.walls.empty()) return nullptr;
   contact::ContactSettings settings;
-  settings.specification = model.contact;
+  settings.specification = model.touching.contact;
   settings.specification.rebuild = rebuild;
   settings.blocks = app::block_properties(model);
   settings.rigid = app::rigid_bodies(model);
@@ -32,11 +32,9 @@ std::unique_ptr<contact::Contact> make_contact(const Simulation& simulation, con
       simulation.input.contact, [](const auto& entry) { return entry.initial_overlap == contact::OverlapRule::warn; });
   std::vector<double> inverse_mass;
   for (const model::NodeLine& node : simulation.state.nodes) inverse_mass.push_back(1.0 / node.mass);
-  std::vector<contact::ConstrainedNode> constrained;
-  for (const model::ConstrainedNode& node : model.constrained) constrained.push_back({node.node, node.free});
   return std::make_unique<contact::Contact>(
-      contact::make_contact(simulation.links.ranks, model.mesh, model.in_symmetry_plane, inverse_mass, constrained,
-                            time::walls_at(model, simulation.state, 0.0), settings));
+      contact::make_contact(simulation.links.ranks, model.mesh, model.touching.in_symmetry_plane, inverse_mass,
+                            model.supports.nodes, time::walls_at(model, simulation.state, 0.0), settings));
 }
 
 /// With what every scene needs. Mortar contact is of implicit scenes; which scheme it has is up to the test.
@@ -58,7 +56,7 @@ Simulation::Simulation(mesh::Mesh mesh, const std::string& scene)
   for (const mesh::Block& block : whole.mesh.blocks) elements += static_cast<std::size_t>(block.count());
   const std::vector<std::size_t> part_of = scene::parts_of_blocks(input, whole.mesh);
   model = scene::build_model(input, part_of, partition::distribute(links.ranks, whole, std::vector<Rank>(elements, 0)));
-  model.contact.tolerances = &tolerances();
+  model.touching.contact.tolerances = &tolerances();
   links = time::link_ranks(links.ranks, model);
   time::initialise(model, state, scratch, links, scene::initial_velocities(input, model));
   contact = make_contact(*this, {});

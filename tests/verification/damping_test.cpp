@@ -45,7 +45,7 @@ constexpr double dt = 3.9e-6;
 
 /// Steps until nothing moves: damped at about the rate of the slowest vibration.
 void settle(Simulation& s, double height, double young) {
-  s.model.damping = 2 * std::sqrt(young / 7800) / height;
+  s.model.loads.damping.alpha = 2 * std::sqrt(young / 7800) / height;
   s.steps(4000, dt);
 }
 
@@ -56,8 +56,8 @@ struct Carried {
 
 /// Mean force over some steps under this damping, over the weights that it carries.
 Carried carried(Simulation& s, double alpha, bool off) {
-  s.model.damping = off ? 1 : alpha;
-  s.model.damping_to = off ? 0 : 1e300;
+  s.model.loads.damping.alpha = off ? 1 : alpha;
+  s.model.loads.damping.to = off ? 0 : 1e300;
   s.steps(2, dt);
   const time::Ledger before = s.ledger();
   std::vector<Vec3> given(static_cast<std::size_t>(s.nodes()), Vec3::Zero());

@@ -20,7 +20,7 @@ std::vector<Extent> part_extents(const Prepared& run) {
     const model::ElementBlock& block = run.model.blocks[b];
     double* const far = farthest.data() + values_per_part * b;
     for (LocalIndex e = 0; e < block.count; ++e)
-      for (int corner = 0; corner < block.corners; ++corner) {
+      for (int corner = 0; corner < block.corners(); ++corner) {
         const Quad& place = nth(run.model.reference, block.corner_node(e, corner));
         for (std::size_t c = 0; c < 3; ++c) {
           const double x = place[static_cast<int>(c)] + mesh.origin[static_cast<int>(c)];

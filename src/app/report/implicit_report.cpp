@@ -79,7 +79,7 @@ double implicit_rounding(const Prepared& run, double extent) {
 
 bool walls_make_energy(const Prepared& run, const time::Ledger& ledger, double largest_energy) {
   return run.implicit && run.implicit->settings.scheme != model::Scheme::statics &&
-         std::ranges::none_of(run.model.walls, &model::RigidWall::moves) &&
+         std::ranges::none_of(run.model.touching.walls, &model::RigidWall::moves) &&
          -ledger.walls > run.input.guards.energy_warning * largest_energy;
 }
 
@@ -103,7 +103,7 @@ nlohmann::ordered_json implicit_summary(const Prepared& run) {
           {"energy_last", solver.trial.energy},
           {"force_s", work.force_seconds},
           {"contact",
-           {{"interfaces", run.model.mortar.size()},
+           {{"interfaces", run.model.touching.mortar.size()},
             {"multipliers", solver.contact.z_before.size()},
             {"pairs", counts.pairs},
             {"segments", counts.segments},

@@ -26,8 +26,8 @@ void for_corners(const Prepared& run, const PartNodes& part, Visit&& visit) {
   const model::ElementBlock& block = run.model.blocks[part.block];
   const model::HistoryRange& mass = *block.find("mass");
   for (LocalIndex e = 0; e < block.count; ++e) {
-    const double share = remembered(run, part.block, e, mass) / block.corners;
-    for (int c = 0; c < block.corners; ++c)
+    const double share = remembered(run, part.block, e, mass) / block.corners();
+    for (int c = 0; c < block.corners(); ++c)
       if (const auto node = static_cast<std::size_t>(block.corner_node(e, c)); !run.state.nodes[node].is_dropped())
         visit(node, share);
   }
@@ -67,8 +67,8 @@ PartNodes nodes_of_part(const Prepared& run, const std::string& part) {
   nodes.block = static_cast<std::size_t>(found - run.model.blocks.begin());
   std::vector<char> own(static_cast<std::size_t>(run.model.nodes()), 0);
   for (LocalIndex e = 0; e < found->count; ++e)
-    for (int c = 0; c < found->corners; ++c) nth(own, found->corner_node(e, c)) = 1;
-  for (const LocalIndex node : run.model.between_parts) nth(own, node) = 0;
+    for (int c = 0; c < found->corners(); ++c) nth(own, found->corner_node(e, c)) = 1;
+  for (const LocalIndex node : run.model.between_parts.nodes) nth(own, node) = 0;
   for (const LocalIndex node : run.model.owned)
     if (nth(own, node)) nodes.own.push_back(node);
   return nodes;
@@ -108,9 +108,9 @@ PartEnergy part_energy(const Prepared& run, const PartNodes& part, std::span<con
     const Quad& f = run.scratch.force[i];
     sums[work].add(run.state.displacement[i][3] - 0.5 * dt_mean * velocity(run, i).dot(Vec3(f[0], f[1], f[2])));
   }
-  if (run.model.books_interface) {
+  if (run.model.between_parts.booked) {
     for (const double done : run.state.interface_work[part.block]) sums[work].add(done);
-    for (const model::WatchedCorner& corner : run.model.interface_corners[part.block])
+    for (const model::WatchedCorner& corner : run.model.between_parts.corners[part.block])
       sums[work].add(
           -0.5 * dt_mean *
           velocity(run, static_cast<std::size_t>(corner.node)).dot(force::corner_force(run.scratch, corner)));

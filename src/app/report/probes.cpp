@@ -72,7 +72,7 @@ Vec3 mean_motion(const Prepared& run, std::size_t index) {
 template <class OfNode>
 Vec3 sum_over_nodes(const Prepared& run, std::size_t index, const OfNode& of_node) {
   std::array<comm::ExactAccumulator, 3> sums;
-  if (run.model.any_constrained)
+  if (run.model.supports.any)
     for_owned(run, index, [&](std::size_t i) {
       const Vec3 value = of_node(i);
       for (std::size_t c = 0; c < 3; ++c) sums[c].add(value[static_cast<int>(c)]);
@@ -87,8 +87,8 @@ Vec3 reaction_impulse(const Prepared& run, std::size_t index) {
 }
 
 std::size_t wall_of(const Prepared& run, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(run.model.walls, name, &model::RigidWall::name) -
-                                  run.model.walls.begin());
+  return static_cast<std::size_t>(std::ranges::find(run.model.touching.walls, name, &model::RigidWall::name) -
+                                  run.model.touching.walls.begin());
 }
 
 /// Of any probe of a force except contact, at t_n.

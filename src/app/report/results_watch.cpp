@@ -30,12 +30,13 @@ bool all_rigid(const model::Model& model) {
 /// Empty where something deforms.
 std::string cause_if_rigid(const Prepared& run) {
   if (!all_rigid(run.model)) return {};
-  return cause_among_rigid_bodies({.contact = !run.input.contact.empty(),
-                                   .walls = !run.model.walls.empty(),
-                                   .drives = !run.input.prescribed.empty(),
-                                   .moving_walls = std::ranges::any_of(run.model.walls, &model::RigidWall::moves),
-                                   .joints = !run.model.joints.empty(),
-                                   .at_limit = run.contact && run.contact->ledger.statistics.steps_at_limit > 0});
+  return cause_among_rigid_bodies(
+      {.contact = !run.input.contact.empty(),
+       .walls = !run.model.touching.walls.empty(),
+       .drives = !run.input.prescribed.empty(),
+       .moving_walls = std::ranges::any_of(run.model.touching.walls, &model::RigidWall::moves),
+       .joints = !run.model.joints.empty(),
+       .at_limit = run.contact && run.contact->ledger.statistics.steps_at_limit > 0});
 }
 
 /// Work of the forces on bodies over the rounding of places that joints hold: 4 eps of the distance, and of a turn
@@ -52,7 +53,7 @@ double rounding_of_joints(const model::Scratch& scratch, double extent) {
 /// another.
 Gives gives(const Prepared& run) {
   if (run.overlaps.recovered) return Gives::parting;
-  const contact::Method method = run.model.contact.enforcement.method;
+  const contact::Method method = run.model.touching.contact.enforcement.method;
   const bool springs = method == contact::Method::gap_penalty || method == contact::Method::penalty;
   return run.implicit || springs ? Gives::stored : Gives::nothing;
 }
@@ -116,9 +117,9 @@ double Results::rounding(const time::Ledger& ledger) const {
   double rounding =
       rounding_energy(ledger.mass, extent_, run_.contact ? run_.contact->surface.mean_edge : 0.0, run_.state.dt);
   if (run_.contact && !run_.model.bodies.empty())
-    rounding +=
-        settling_energy(ledger.mass, run_.model.gravity.norm(), run_.state.dt, run_.model.contact.enforcement.tolerance,
-                        run_.contact->derived.detection.tolerances->recovery);
+    rounding += settling_energy(ledger.mass, run_.model.loads.gravity.norm(), run_.state.dt,
+                                run_.model.touching.contact.enforcement.tolerance,
+                                run_.contact->derived.detection.tolerances->recovery);
   if (run_.implicit) rounding += implicit_rounding(run_, extent_);
   if (!run_.model.joints.empty()) rounding += rounding_of_joints(run_.scratch, extent_);
   return rounding;

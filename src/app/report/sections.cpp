@@ -48,7 +48,7 @@ Section find_section(const Prepared& run, std::size_t index) {
     corners = force::watched_corners(block, nodes);
     if (front == sets.end()) continue;
     std::erase_if(corners, [&](const model::WatchedCorner& corner) {
-      for (int c = 0; c < block.corners; ++c)
+      for (int c = 0; c < block.corners(); ++c)
         if (std::ranges::binary_search(front->second, block.corner_node(corner.element, c))) return false;
       return true;
     });

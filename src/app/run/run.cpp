@@ -78,7 +78,7 @@ void report_iterations(const Prepared& run, Log& log) {
   if (contact.steps_at_limit > 0)
     log.line(
         fmt::format("contact: {} of {} steps with contact ended at max_iterations {}, with residuals of at most {:.2g}",
-                    contact.steps_at_limit, contact.solved_steps, run.model.contact.enforcement.max_iterations,
+                    contact.steps_at_limit, contact.solved_steps, run.model.touching.contact.enforcement.max_iterations,
                     contact.largest_residual));
 }
 

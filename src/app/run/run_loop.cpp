@@ -234,7 +234,7 @@ void Loop::watch_step(const time::StepReport& step) {
 void Loop::watch_iterations() {
   if (!run_.contact || reported_limit_ || run_.contact->ledger.statistics.steps_at_limit == 0) return;
   reported_limit_ = true;
-  const contact::EnforcementSettings& settings = run_.model.contact.enforcement;
+  const contact::EnforcementSettings& settings = run_.model.touching.contact.enforcement;
   log_.warning(fmt::format(
       "contact: the iteration of step {} (t = {:g}) ended at max_iterations {} with a residual of {}, above the "
       "tolerance of {:g}: the remainder may disturb the motion; increase enforcement.max_iterations{} (reported once)",

@@ -23,7 +23,7 @@ struct Starts {
 
   /// scale: of initial speeds of this kind.
   void add(const model::Model& model, std::size_t entry, double initial, double scale) {
-    const double begins = time::driven_start(model.drives[entry], initial);
+    const double begins = time::driven_start(model.supports.drives[entry], initial);
     const double gap = std::abs(begins - initial);
     if (!(gap > time::same_speed * std::max(std::abs(begins), scale)) || gap < difference[entry]) return;
     if (gap == difference[entry] && !(initial > given[entry])) return;  // whatever the order of the nodes
@@ -47,15 +47,15 @@ struct Starts {
 
 std::vector<std::string> driven_starts(const Prepared& run, std::span<const Vec3> velocity) {
   const model::Model& model = run.model;
-  if (model.drives.empty()) return {};
-  Starts starts(model.drives.size());
+  if (model.supports.drives.empty()) return {};
+  Starts starts(model.supports.drives.size());
   double fastest = 0;
   for (const Vec3& v : velocity) fastest = std::max(fastest, v.norm());
   fastest = run.links.ranks.max(fastest);
-  for (const model::ConstrainedNode& node : model.constrained)
+  for (std::size_t k = 0; k < model.supports.nodes.size(); ++k)
     for (int c = 0; c < 3; ++c)
-      if (const std::int32_t drive = nth(node.drive, c); drive >= 0)
-        starts.add(model, static_cast<std::size_t>(drive), nth(velocity, node.node)[c], fastest);
+      if (const std::int32_t drive = nth(model.supports.drive[k], c); drive >= 0)
+        starts.add(model, static_cast<std::size_t>(drive), nth(velocity, model.supports.nodes[k].node)[c], fastest);
   for (const model::RigidBody& body : model.bodies) {
     const Vec3 centre = body.start.velocity + body.start.spin.cross(body.body.mass.centre);
     for (std::size_t dof = 0; dof < body.drive.size(); ++dof)
@@ -75,7 +75,7 @@ std::vector<std::string> driven_starts(const Prepared& run, std::span<const Vec3
   starts.share(run.links.ranks);
   std::vector<std::string> lines;
   constexpr std::array directions{"x", "y", "z", "rx", "ry", "rz"};
-  for (std::size_t k = 0; k < model.drives.size(); ++k) {
+  for (std::size_t k = 0; k < model.supports.drives.size(); ++k) {
     if (!(starts.difference[k] > 0)) continue;
     const scene::Prescribed& entry = run.input.prescribed[k];
     lines.push_back(fmt::format(

@@ -32,7 +32,7 @@ void check_part(const scene::Input& input, const model::ElementBlock& block, std
 void check_pairs(const model::Model& model, std::vector<std::string>& faults) {
   const auto rigid = [&](std::int32_t b) { return material::is_rigid(nth(model.blocks, b).law); };
   const auto part = [&](std::int32_t b) { return nth(model.blocks, b).part; };
-  for (const contact::MortarPair& pair : model.mortar)
+  for (const contact::MortarPair& pair : model.touching.mortar)
     if (rigid(pair.slave) && rigid(pair.master))
       faults.push_back(fmt::format(
           "{}: invalid pair: {} and {} are both rigid; expected at least one deformable part in mortar contact",
@@ -44,7 +44,8 @@ void check_pairs(const model::Model& model, std::vector<std::string>& faults) {
 
 /// What contact of a static run gives comes from the form of its forces, not from the step.
 std::string cause_of_given_in_statics(const model::Model& model) {
-  if (std::ranges::any_of(model.mortar, [](const contact::MortarPair& pair) { return !pair.tied && !pair.consistent; }))
+  if (std::ranges::any_of(model.touching.mortar,
+                          [](const contact::MortarPair& pair) { return !pair.tied && !pair.consistent; }))
     return "likely cause: facets that slide over curved surfaces, where the forces of mortar contact are not the "
            "gradient of its gaps; shorter steps do not help: use consistent: true in contact, or smaller elements";
   return "likely cause: facets that come into contact, or leave it, at a gap that is not zero; use a smaller "
@@ -58,7 +59,7 @@ std::vector<std::string> faults_of_implicit(const scene::Input& input, const mod
   if (!input.implicit) return faults;
   for (const model::ElementBlock& block : model.blocks) check_part(input, block, faults);
   check_pairs(model, faults);
-  if (model.books_interface)
+  if (model.between_parts.booked)
     faults.push_back(fmt::format(
         "{}: invalid probe of energy for parts that share nodes in an implicit scene; expected other probes",
         input.at("probes")));

@@ -33,7 +33,7 @@ void track_contacts(Prepared& run, contact::ContactSettings& settings) {
 /// How many nodes each tied pair has, among the notes of the start; none at all is a fault of the scene.
 void report_ties(Prepared& run) {
   const auto [nodes, beside] = contact::tied_nodes(*run.contact);
-  const contact::PairTable& pairs = run.model.contact.pairs;
+  const contact::PairTable& pairs = run.model.touching.contact.pairs;
   const auto n = static_cast<std::int32_t>(run.model.blocks.size());
   if (nodes.empty()) return;
   std::vector<std::string> faults;
@@ -126,7 +126,8 @@ contact::BlockProperties block_properties(const model::Model& model) {
 
 contact::RigidBodies rigid_bodies(const model::Model& model) {
   contact::RigidBodies bodies{.count = model.bodies.size()};
-  bodies.squeezed = !model.drives.empty() || std::ranges::any_of(model.walls, &model::RigidWall::moves);
+  bodies.squeezed =
+      !model.supports.drives.empty() || std::ranges::any_of(model.touching.walls, &model::RigidWall::moves);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     bodies.supported = bodies.supported || model.bodies[b].support.any();
     for (const LocalIndex node : model.bodies[b].nodes) bodies.nodes.push_back({node, static_cast<LocalIndex>(b)});
@@ -140,17 +141,11 @@ std::vector<double> inverse_masses(const model::State& state) {
   return inverse;
 }
 
-std::vector<contact::ConstrainedNode> held_nodes(const model::Model& model) {
-  std::vector<contact::ConstrainedNode> held;
-  for (const model::ConstrainedNode& node : model.constrained) held.push_back({node.node, node.free});
-  return held;
-}
-
 void make_contact(Prepared& run) {
   const model::Model& model = run.model;
-  if (!model.contact.pairs.any_acts() && model.walls.empty()) return;
+  if (!model.touching.contact.pairs.any_acts() && model.touching.walls.empty()) return;
   contact::ContactSettings settings;
-  settings.specification = model.contact;
+  settings.specification = model.touching.contact;
   settings.search = run.input.search;
   settings.blocks = block_properties(model);
   settings.detection.accepted = run.overlaps.accepted;
@@ -164,8 +159,8 @@ void make_contact(Prepared& run) {
   settings.rigid.extent = extents_of_bodies(run.links.ranks, model);
   settings.erodes = model.loses_elements();
   run.contact = std::make_unique<contact::Contact>(
-      contact::make_contact(run.links.ranks, model.mesh, model.in_symmetry_plane, inverse_masses(run.state),
-                            held_nodes(model), walls, settings));
+      contact::make_contact(run.links.ranks, model.mesh, model.touching.in_symmetry_plane, inverse_masses(run.state),
+                            model.supports.nodes, walls, settings));
   report_ties(run);
 }
 
@@ -175,7 +170,7 @@ bool bounded_by_mesh(const scene::Input& input) {
 
 time::StepControl step_control(Prepared& run) {
   constexpr double growth = 1.02;
-  const double factor = run.contact ? contact::step_factor(run.model.contact.enforcement) : 1.0;
+  const double factor = run.contact ? contact::step_factor(run.model.touching.contact.enforcement) : 1.0;
   // before the run only static states are sought, whose elements may change by much in a step
   const bool assembled = bounded_by_mesh(run.input) && run.state.relaxation.under_way == 0;
   return {run.input.run.cfl * factor, growth, run.input.run.step.value_or(std::numeric_limits<double>::infinity()),

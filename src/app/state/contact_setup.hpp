@@ -18,8 +18,6 @@ contact::BlockProperties block_properties(const model::Model& model);
 contact::RigidBodies rigid_bodies(const model::Model& model);
 /// Of the local nodes [1/mass].
 std::vector<double> inverse_masses(const model::State& state);
-/// Constrained nodes and the projectors onto their free directions.
-std::vector<contact::ConstrainedNode> held_nodes(const model::Model& model);
 
 /// Creates Prepared::contact if the scene has contact or walls. Collective.
 void make_contact(Prepared& run);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "app/state/driven_words.hpp"
 #include "geometry/closest_point.hpp"
 
 namespace brunt::app {
@@ -92,31 +93,19 @@ void follow(const std::array<Vec3, 5>& positions, Record record) {
 
 /// "part 'a' and rigid wall 'w'".
 std::string pair_of(std::span<const double> record, const model::Model& model) {
-  const auto part = [&](double block) { return model.blocks[static_cast<std::size_t>(block)].part; };
-  const std::string other =
-      record[master_block] < 0
-          ? fmt::format("rigid wall '{}'", model.walls[static_cast<std::size_t>(-1 - record[master_block])].name)
-          : fmt::format("part '{}'", part(record[master_block]));
-  return fmt::format("part '{}' and {}", part(record[slave_block]), other);
-}
-
-std::string with_unit(double length, const std::string& length_unit) {
-  return fmt::format("{:.3g}{}{}", length, length_unit.empty() ? "" : " ", length_unit);
+  return driven_pair(model, static_cast<std::int32_t>(record[slave_block]),
+                     static_cast<std::int32_t>(record[master_block]));
 }
 
 std::string warning_of(std::span<const double> record, const model::Model& model, const std::string& length_unit) {
-  const bool wall = record[master_block] < 0;
-  if (record[in_chain] != 0)
-    return fmt::format(
-        "supports or moving walls press {} into each other without a way out: since t = {:g} no motion satisfies all "
-        "contacts of the rigid bodies between them; the depth is now {} (reported once for each pair; "
-        "driven_penetration in summary.json is the largest depth)",
-        pair_of(record, model), record[since], with_unit(record[depth], length_unit));
+  if (record[in_chain] == 0)
+    return driven_through(model, static_cast<std::int32_t>(record[slave_block]),
+                          static_cast<std::int32_t>(record[master_block]), record[since], record[depth], length_unit);
   return fmt::format(
-      "supports move {} through each other: since t = {:g} nodes that are held along the normal lie behind {} that "
-      "cannot yield; the depth is now {}. Contact has no effect there (reported once for each pair; "
+      "supports or moving walls press {} into each other without a way out: since t = {:g} no motion satisfies all "
+      "contacts of the rigid bodies between them; the depth is now {} (reported once for each pair; "
       "driven_penetration in summary.json is the largest depth)",
-      pair_of(record, model), record[since], wall ? "a wall" : "faces", with_unit(record[depth], length_unit));
+      pair_of(record, model), record[since], driven_length(record[depth], length_unit));
 }
 
 }  // namespace
@@ -144,8 +133,8 @@ std::string DrivenParts::beyond_limit(const model::Model& model, double time, co
       "supports or moving walls drive {} into each other: the driven penetration is {} at t = {:g}, and began at t = "
       "{:g}; {} is admitted, {}. {}: give them a way out, drive them less far, or use forces in place of prescribed "
       "motions",
-      pair_of(worst, model), with_unit(worst[depth], length_unit), time, worst[since],
-      with_unit(worst[limit], length_unit), worst[is_rigid] != 0 ? "a hundredth of the rigid body" : "an element",
+      pair_of(worst, model), driven_length(worst[depth], length_unit), time, worst[since],
+      driven_length(worst[limit], length_unit), worst[is_rigid] != 0 ? "a hundredth of the rigid body" : "an element",
       worst[in_chain] != 0 ? "No motion satisfies all contacts of the rigid bodies between them"
                            : "Neither of them can yield");
 }

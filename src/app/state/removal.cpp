@@ -74,7 +74,7 @@ void expose(const scene::Input& input, const model::Model& model, const model::S
   contact::Remains remains{
       surface::exposed_surface(links.ranks, model.mesh, links.inner_faces, state.alive), {}, state.alive};
   remains.excluded = scene::in_symmetry_plane(input, model.mesh, remains.outside.faces);
-  contact::update_surface(contact, model.mesh, remains, inverse_masses(state), held_nodes(model));
+  contact::update_surface(contact, model.mesh, remains, inverse_masses(state), model.supports.nodes);
 }
 
 void demand_first_step(Prepared& run) {

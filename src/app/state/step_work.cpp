@@ -50,7 +50,7 @@ std::vector<std::vector<double>> pairs_of_elements(const model::Model& model, co
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
     for (LocalIndex e = 0; e < block.count; ++e)
-      for (int c = 0; c < block.corners; ++c) {
+      for (int c = 0; c < block.corners(); ++c) {
         double& left = nth(of_node, block.corner_node(e, c));
         nth(pairs[b], e) += left;
         left = 0;

@@ -85,10 +85,10 @@ std::vector<contact::GhostElement> elements_within_reach(const Prepared& run, co
     for (LocalIndex e = 0; e < block.count; ++e) {
       if (!model::lives(run.state, b, e)) continue;
       contact::GhostElement element{
-          .gid = nth(block.gid, e), .corner_count = block.corners, .block = static_cast<std::int32_t>(b)};
+          .gid = nth(block.gid, e), .corner_count = block.corners(), .block = static_cast<std::int32_t>(b)};
       element.nodes.fill(no_index);
       Box box;
-      for (int c = 0; c < block.corners; ++c) {
+      for (int c = 0; c < block.corners(); ++c) {
         const LocalIndex node = block.corner_node(e, c);
         const Vec3 x = position[node];
         nth(element.nodes, c) = nth(run.model.mesh.node_gid, node);
@@ -128,7 +128,8 @@ bool DepthWatch::is_due(const Prepared& run) const {
 
 std::vector<std::string> DepthWatch::look(const Prepared& run) {
   std::vector<std::string> warnings = warnings_of_walls(run, reported_);
-  if (run.implicit ? run.watched == nullptr || run.model.mortar.empty() : !run.contact || !run.contact->derived.bodies)
+  if (run.implicit ? run.watched == nullptr || run.model.touching.mortar.empty()
+                   : !run.contact || !run.contact->derived.bodies)
     return warnings;
   if (run.contact) lists_seen_ = run.contact->ledger.statistics.searches;
   const contact::VectorView position{run.state.nodes.empty() ? nullptr : run.state.nodes.front().x,

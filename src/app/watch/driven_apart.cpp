@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/state/driven_words.hpp"
 #include "app/state/prepared.hpp"
 #include "core/error.hpp"
 #include "implicit/driven_apart.hpp"
@@ -44,7 +45,7 @@ GlobalIndex support_at(const Prepared& run, GlobalIndex gid, const Vec3& directi
 std::string name_of_support(const Prepared& run, GlobalIndex gid, const Vec3& direction) {
   const auto found = static_cast<std::size_t>(run.links.ranks.max(support_at(run, gid, direction)) + 1);
   const std::size_t fixed = run.input.fixed.size(), symmetry = run.input.symmetry.size();
-  if (found == 0) return run.model.walls.empty() ? "other ties" : "a rigid wall or other ties";
+  if (found == 0) return run.model.touching.walls.empty() ? "other ties" : "a rigid wall or other ties";
   if (found <= fixed) return fmt::format("fixed.{}", found - 1);
   if (found <= fixed + symmetry) return fmt::format("symmetry.{}", found - 1 - fixed);
   return fmt::format("prescribed.{}", found - 1 - fixed - symmetry);
@@ -80,7 +81,11 @@ void stop_where_driven_apart(Prepared& run) {
 
 std::vector<std::string> watch_driven_through(Prepared& run) {
   const scene::UnitSystem& units = *scene::find_unit_system(run.input.units);
-  return implicit::watch_driven(implicit_scene(run), *run.implicit, units.metre > 0 ? units.length : "");
+  std::vector<std::string> warnings;
+  for (const implicit::DrivenThrough& pair : implicit::watch_driven(implicit_scene(run), *run.implicit))
+    warnings.push_back(
+        driven_through(run.model, pair.block, pair.other, pair.since, pair.depth, units.metre > 0 ? units.length : ""));
+  return warnings;
 }
 
 }  // namespace brunt::app

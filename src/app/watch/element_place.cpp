@@ -43,12 +43,12 @@ double volume(const Corners& x, const cells::Cell& cell) {
 std::array<double, 5> figures_of(const Prepared& run, const model::ElementBlock& block, LocalIndex element) {
   Corners now, first;
   Vec3 center = Vec3::Zero();
-  for (int c = 0; c < block.corners; ++c) {
+  for (int c = 0; c < block.corners(); ++c) {
     const auto node = static_cast<std::size_t>(block.corner_node(element, c));
     const auto corner = static_cast<std::size_t>(c);
     now[corner] = Vec3(run.state.nodes[node].x);
     first[corner] = Vec3(run.model.reference[node][0], run.model.reference[node][1], run.model.reference[node][2]);
-    center += now[corner] / block.corners;
+    center += now[corner] / block.corners();
   }
   const cells::Cell& cell = cells::of(block.shape);
   return {center[0], center[1], center[2], shortest_edge(now, first, cell), volume(now, cell) / volume(first, cell)};

@@ -141,15 +141,15 @@ std::vector<double> shares_behind_walls(const Prepared& run, bool since_last) {
 
 void watch_implicit(Prepared& run) {
   const auto meets = [](const contact::MortarPair& pair) { return !pair.tied; };
-  const bool at_walls = !run.model.walls.empty() && !run.model.bodies.empty();
-  if (!run.implicit || (!at_walls && std::ranges::none_of(run.model.mortar, meets))) return;
+  const bool at_walls = !run.model.touching.walls.empty() && !run.model.bodies.empty();
+  if (!run.implicit || (!at_walls && std::ranges::none_of(run.model.touching.mortar, meets))) return;
   const std::size_t blocks = run.model.blocks.size();
   auto watched = std::make_unique<WatchedBodies>();
   const std::vector<char> excluded(run.model.mesh.faces.size(), 0);
   const std::vector<double> inverse_mass(run.model.mesh.coordinates.size(), 1.0);
   watched->surface = contact::join_surface(run.links.ranks, run.model.mesh, excluded, inverse_mass);
   watched->pairs = contact::PairTable(blocks, {});
-  for (const contact::MortarPair& pair : run.model.mortar)
+  for (const contact::MortarPair& pair : run.model.touching.mortar)
     if (meets(pair)) watched->pairs.set(pair.slave, pair.master, {.rule = contact::PairRule::automatic});
   std::vector<double> thinnest(blocks, -std::numeric_limits<double>::infinity());
   for (const contact::SurfaceFace& face : watched->surface.faces)
@@ -163,7 +163,7 @@ std::string objection_to_step(Prepared& run) {
   if (!run.watched) return {};
   WatchedBodies& watched = *run.watched;
   if (std::string sinks = body_that_sinks(run); !sinks.empty()) return sinks;
-  if (run.model.mortar.empty()) return {};  // walls alone
+  if (run.model.touching.mortar.empty()) return {};  // walls alone
   const Way way = way_of(run);
   const Looks looks = looks_on(run, way);
   if (looks.count == 0) {

@@ -6,12 +6,6 @@
 
 namespace brunt::contact {
 
-VelocitySpan unbounded_velocities() {
-  VelocitySpan span;
-  span.fill(std::numeric_limits<double>::infinity());
-  return span;
-}
-
 void ListMotion::start() {
   start_.clear();
   moved_low_ = moved_high_ = low_ = high_ = Vec3::Zero();

@@ -14,8 +14,6 @@ namespace brunt::contact {
 /// Over all nodes of a rank, the largest vx, vy, vz, -vx, -vy, -vz [velocity] of v_{n-1/2}, then of v*. The values of
 /// all ranks are the maxima of each. Not finite if a velocity is not.
 using VelocitySpan = std::array<double, 12>;
-/// The span for unknown velocities.
-VelocitySpan unbounded_velocities();
 
 /// The corresponding values from the nodes themselves: the largest distance from the centre [length], then the largest
 /// x, y, z, -x, -y, -z of their motion so far [length].

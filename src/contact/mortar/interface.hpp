@@ -107,11 +107,6 @@ struct MortarRows {
   std::vector<double> covered;    ///< sum of the slave's weights; 0: the row is empty [length^2]
   std::vector<double> gaps;       ///< normal . G, weighted [length^3]
   std::size_t segments = 0;       ///< number of pairs with a segment
-
-  /// kappa times the weighted gap [length].
-  [[nodiscard]] double normalised_gap(const MortarTopology& topology, std::size_t row) const {
-    return topology.kappa[row] * gaps[row];
-  }
 };
 
 /// A dense part of a matrix: values[(3 r + i) columns 3 + 3 c + j], added at (rows[r], i), (columns[c], j).

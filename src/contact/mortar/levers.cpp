@@ -54,15 +54,6 @@ void add_penalty_levers(const MortarSlopes& slopes, double stiffness, std::span<
   }
 }
 
-void add_lever_forces(const NodeBlocks<Vec3>& levers, std::span<const double> z, std::span<Vec3> forces) {
-  for (std::size_t row = 0; row < z.size(); ++row) {
-    if (z[row] == 0) continue;
-    const auto index = static_cast<LocalIndex>(row);
-    const std::span<const LocalIndex> nodes = levers.nodes.row(index);
-    for (std::size_t k = 0; k < nodes.size(); ++k) nth(forces, nodes[k]) += z[row] * levers.row(index)[k];
-  }
-}
-
 void lever_patches(const MortarRows& rows, const MortarSlopes& slopes, std::span<const double> z, Patches& patches) {
   patches.clear();
   for (std::size_t row = 0; row < z.size(); ++row) {

@@ -21,9 +21,6 @@ void gap_levers(const MortarRows& rows, const NodeBlocks<Vec3>& gradient, NodeBl
 void add_penalty_levers(const MortarSlopes& slopes, double stiffness, std::span<const double> z,
                         NodeBlocks<Vec3>& levers);
 
-/// forces[K] += z_A l_AK over all rows, in their order [force].
-void add_lever_forces(const NodeBlocks<Vec3>& levers, std::span<const double> z, std::span<Vec3> forces);
-
 /// Derivatives of z_A l_AK at fixed pressures, one patch for each row with a pressure: products of first derivatives
 ///   z_A ((dG_A/dx_K - w_AK 1)^T dn_A/dx_L + (dn_A/dx_K)^T dG_A/dx_L).
 /// The rest, sum_K dw_AK/dx_L (x) n_A, is the transpose of the patches of MortarSlopes::weights and is added there.

@@ -158,18 +158,6 @@ void tie_levers(const TieStart& start, const MortarSurfaces& surfaces, const Mor
   }
 }
 
-void add_tie_forces(const TieStart& start, const NodeBlocks<Mat3>& levers, std::span<const Vec3> tractions,
-                    std::span<Vec3> forces) {
-  for (std::size_t row = 0; row < tractions.size(); ++row) {
-    const auto index = static_cast<LocalIndex>(row);
-    const std::span<const LocalIndex> nodes = start.weights.nodes.row(index), turned = levers.nodes.row(index);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      nth(forces, nodes[k]) += start.weights.row(index)[k] * tractions[row];
-    for (std::size_t k = 0; k < turned.size(); ++k)
-      nth(forces, turned[k]) += levers.row(index)[k].transpose() * tractions[row];
-  }
-}
-
 void tie_patches(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
                  std::span<const Vec3> x_before, std::span<const Vec3> x, std::span<const Vec3> tractions,
                  Patches& patches) {

@@ -68,13 +68,9 @@ void tie_residuals(const TieStart& start, const MortarSurfaces& surfaces, const 
 void tie_levers(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
                 std::span<const Vec3> x_before, std::span<const Vec3> x, NodeBlocks<Mat3>& levers);
 
-/// forces[K] += (w_AK 1 + lever_AK)^T T_A; T: multipliers of the three residuals, the traction on the slave
-/// [force/length^2].
-void add_tie_forces(const TieStart& start, const NodeBlocks<Mat3>& levers, std::span<const Vec3> tractions,
-                    std::span<Vec3> forces);
-
-/// Derivatives of these forces by x at fixed T: one patch for each slave facet (`ours`) with a gap. x_before: as of the
-/// levers. tractions: of the rows, followed by those of MortarSurfaces::rows_elsewhere.
+/// Derivatives of the forces sum_A (w_AK 1 + lever_AK)^T T_A on each node K by x, at fixed multipliers T of the three
+/// residuals, the traction on the slave [force/length^2]: one patch for each slave facet (`ours`) with a gap. x_before:
+/// as of the levers. tractions: of the rows, followed by those of MortarSurfaces::rows_elsewhere.
 void tie_patches(const TieStart& start, const MortarSurfaces& surfaces, const MortarTopology& topology,
                  std::span<const Vec3> x_before, std::span<const Vec3> x, std::span<const Vec3> tractions,
                  Patches& patches);

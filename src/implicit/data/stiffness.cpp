@@ -23,12 +23,12 @@ void for_each_patch(const model::Model& model, const Visit& visit) {
   std::array<LocalIndex, cells::most_corners> nodes{};
   for (const model::ElementBlock& block : model.blocks)
     for (LocalIndex e = 0; e < block.count && !material::is_rigid(block.law); ++e) {
-      for (int c = 0; c < block.corners; ++c) nth(nodes, c) = block.corner_node(e, c);
+      for (int c = 0; c < block.corners(); ++c) nth(nodes, c) = block.corner_node(e, c);
       visit(cells::key_of(nth(block.gid, e), 0),
-            std::span<const LocalIndex>(nodes.data(), static_cast<std::size_t>(block.corners)));
+            std::span<const LocalIndex>(nodes.data(), static_cast<std::size_t>(block.corners())));
     }
   GlobalIndex load_number = 1;
-  for (const model::PressureLoad& load : model.pressure) {
+  for (const model::PressureLoad& load : model.loads.pressure) {
     for (const mesh::ExteriorFace& face : load.faces)
       visit((load_number << 56) + cells::key_of_face_corner(face.key, 0),
             std::span<const LocalIndex>(face.nodes.data(), face.nodes[3] == no_index ? 3U : 4U));
@@ -127,7 +127,7 @@ void Stiffness::add_elements(const model::Model& model, const force::Motion& mot
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const model::ElementBlock& block = model.blocks[b];
     if (material::is_rigid(block.law)) continue;
-    const auto size = static_cast<std::size_t>(9 * block.corners * block.corners);
+    const auto size = static_cast<std::size_t>(9 * block.corners() * block.corners());
     std::vector<LocalIndex> elements;
     std::array<LocalIndex, cells::most_corners> nodes{};
     for (LocalIndex first = 0; first < block.count; first += elements_at_once) {
@@ -136,15 +136,15 @@ void Stiffness::add_elements(const model::Model& model, const force::Motion& mot
       matrices_.resize(elements.size() * size);
       force::element_tangents(model, static_cast<LocalIndex>(b), elements, motion, committed, matrices_);
       for (std::size_t k = 0; k < elements.size(); ++k) {
-        for (int c = 0; c < block.corners; ++c) nth(nodes, c) = block.corner_node(elements[k], c);
-        add(model, {nodes.data(), static_cast<std::size_t>(block.corners)}, {matrices_.data() + k * size, size});
+        for (int c = 0; c < block.corners(); ++c) nth(nodes, c) = block.corner_node(elements[k], c);
+        add(model, {nodes.data(), static_cast<std::size_t>(block.corners())}, {matrices_.data() + k * size, size});
       }
     }
   }
 }
 
 void Stiffness::add_pressures(const model::Model& model, const model::State& state) {
-  for (const model::PressureLoad& load : model.pressure) {
+  for (const model::PressureLoad& load : model.loads.pressure) {
     const double pressure = load.value * model::value_at(load.curve, state.time);
     for (const mesh::ExteriorFace& face : load.faces) {
       const std::size_t n = cells::corner_count(face.nodes);

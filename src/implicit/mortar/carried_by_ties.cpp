@@ -45,18 +45,18 @@ bool before(const RowTold& a, const RowTold& b) {
 /// `nodes` may be of a previous iterate.
 bool stands_on_walls(const ContactNodes& nodes, const Interface& face, std::size_t row, std::span<const Mat3> movable) {
   const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
-  return face.tie.covered[row] > 0 && !(nodes.free[node] - movable[node]).isZero();
+  return face.start.tie.covered[row] > 0 && !(nodes.free[node] - movable[node]).isZero();
 }
 
 RowTold told(const ContactNodes& nodes, GlobalIndex interface, const Interface& face, std::size_t row) {
   const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
   RowTold told;
   told.interface = interface;
-  told.place = face.place[row];
+  told.place = face.numbering.place[row];
   told.slave = nodes.gid[node];
   told.slave_free = values_of(nodes.free[node]);
   told.slave_movable = values_of(nodes.movable[node]);
-  const contact::MasterPlace& below = face.tie.below[row];
+  const contact::MasterPlace& below = face.start.tie.below[row];
   for (std::size_t c = 0; c < below.nodes.size(); ++c) {
     told.below[c] = -1;
     if (below.nodes[c] == no_index || !contact::has_share(below.weights[c])) continue;
@@ -73,9 +73,9 @@ std::vector<RowTold> rows_of_all(const comm::Communicator& ranks, const MortarCo
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     const Interface& face = contact.interfaces[k];
     for (std::size_t row = 0; face.pair.tied && row < face.count(); ++row) {
-      if (!stands_on_walls(nodes, face, row, nodes.movable) || face.tie.below[row].nodes[0] == no_index) continue;
+      if (!stands_on_walls(nodes, face, row, nodes.movable) || face.start.tie.below[row].nodes[0] == no_index) continue;
       const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
-      const Mat3 below = contact::held_by_all(contact::freedom_of(face.tie.below[row], nodes.movable));
+      const Mat3 below = contact::held_by_all(contact::freedom_of(face.start.tie.below[row], nodes.movable));
       if (common(nodes.free[node] - nodes.movable[node], below).isZero()) continue;
       mine.push_back(told(nodes, static_cast<GlobalIndex>(k), face, row));
     }

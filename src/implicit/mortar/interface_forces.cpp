@@ -29,13 +29,13 @@ std::vector<bool> nodes_of_slave(const Interface& face) {
 /// What the levers of a row do to the nodes of the slave.
 Vec3 lever_force_on_slave(const Interface& face, std::size_t row, const std::vector<bool>& of_slave) {
   Vec3 sum = Vec3::Zero();
-  if (of_slave.empty() || face.z[row] == 0) return sum;
+  if (of_slave.empty() || face.iterate.z[row] == 0) return sum;
   const auto index = static_cast<LocalIndex>(row);
-  const std::span<const LocalIndex> nodes = face.gap_levers.nodes.row(index);
+  const std::span<const LocalIndex> nodes = face.iterate.gap_levers.nodes.row(index);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (const auto node = static_cast<std::size_t>(nodes[k]);
         face.self ? is_of_slave(face, row, nodes[k]) : node < of_slave.size() && of_slave[node])
-      sum += face.z[row] * face.gap_levers.row(index)[k];
+      sum += face.iterate.z[row] * face.iterate.gap_levers.row(index)[k];
   return sum;
 }
 
@@ -45,10 +45,10 @@ InterfaceForce force_on_slave(const Interface& face) {
   std::vector<double> of_rows(width * face.count());
   const std::vector<bool> of_slave = nodes_of_slave(face);
   for (std::size_t row = 0; row < face.count(); ++row) {
-    const double area = face.pair.tied ? face.tie.covered[row] : face.rows.covered[row];
+    const double area = face.pair.tied ? face.start.tie.covered[row] : face.iterate.rows.covered[row];
     if (area == 0) continue;
-    const Vec3 force = area * face.tractions[row];
-    const Vec3& normal = face.rows.normals[row];
+    const Vec3 force = area * face.iterate.tractions[row];
+    const Vec3& normal = face.iterate.rows.normals[row];
     const Vec3 tangential = force - normal.dot(force) * normal;
     double* const of_row = &of_rows[width * row];
     const Vec3 whole = force + lever_force_on_slave(face, row, of_slave);

@@ -25,28 +25,29 @@ constexpr double recovered = 0.5, most_recovered = 0.05;
 
 void find_pressures(Interface& face, bool first) {
   if (face.pair.enforce == MortarPair::Enforce::penalty) {
-    contact::penalty_pressures(face.rows, face.stiffness, {}, face.z);
-    for (std::size_t row = 0; row < face.count(); ++row) face.active[row] = face.z[row] > 0 ? 1 : 0;
+    contact::penalty_pressures(face.iterate.rows, face.stiffness, {}, face.iterate.z);
+    for (std::size_t row = 0; row < face.count(); ++row) face.iterate.active[row] = face.iterate.z[row] > 0 ? 1 : 0;
   } else {
-    contact::choose_active(face.rows, face.z, face.stiffness, face.active, face.least_gaps);
+    contact::choose_active(face.iterate.rows, face.iterate.z, face.stiffness, face.iterate.active, face.least.required);
   }
-  face.at_start = first;
+  face.start.first_iterate = first;
   for (std::size_t row = 0; first && row < face.count(); ++row)
-    if (face.touches[row] != 0 && face.rows.covered[row] > 0) face.active[row] = 1;
+    if (face.start.touches[row] != 0 && face.iterate.rows.covered[row] > 0) face.iterate.active[row] = 1;
 }
 
 void find_least_gaps(Interface& face, double recovery) {
-  face.least_gaps.resize(face.count());
-  face.least_by_start.resize(face.count());
-  face.least_by_covered.resize(face.count());
+  face.least.required.resize(face.count());
+  face.least.by_start.resize(face.count());
+  face.least.by_covered.resize(face.count());
   const double most = recovery * most_recovered * face.topology.edge;
   for (std::size_t row = 0; row < face.count(); ++row) {
-    const double depth = std::max(0.0, -face.start_gaps[row]);
+    const double depth = std::max(0.0, -face.least.at_start[row]);
     const double share = face.pressed_before[row] != 0 ? recovery * recovered : 0.0;
-    const bool all = share * depth <= most * face.rows.covered[row];
-    face.least_by_start[row] = depth == 0 ? 0.0 : all ? 1 - share : 1.0;
-    face.least_by_covered[row] = all ? 0.0 : most;
-    face.least_gaps[row] = -face.least_by_start[row] * depth + face.least_by_covered[row] * face.rows.covered[row];
+    const bool all = share * depth <= most * face.iterate.rows.covered[row];
+    face.least.by_start[row] = depth == 0 ? 0.0 : all ? 1 - share : 1.0;
+    face.least.by_covered[row] = all ? 0.0 : most;
+    face.least.required[row] =
+        -face.least.by_start[row] * depth + face.least.by_covered[row] * face.iterate.rows.covered[row];
   }
 }
 
@@ -68,24 +69,25 @@ double sum_over_rows(const MortarContact& contact, const Energy& of) {
 double affordable(const MortarContact& contact) {
   if (!(contact.budget > 0)) return 0;
   const double needed = sum_over_rows(contact, [](const Interface& face, std::size_t row) {
-    return std::max(0.0, face.z[row]) * recovered * std::max(0.0, -face.start_gaps[row]);
+    return std::max(0.0, face.iterate.z[row]) * recovered * std::max(0.0, -face.least.at_start[row]);
   });
   return needed > contact.budget ? contact.budget / needed : 1.0;
 }
 
 void find_tractions(const ContactNodes& nodes, Interface& face) {
   if (face.friction.coefficient > 0)
-    contact::friction_tractions(face.rows, nodes.x, face.z, face.friction, face.history, face.tractions, face.states);
+    contact::friction_tractions(face.iterate.rows, nodes.x, face.iterate.z, face.friction, face.history,
+                                face.iterate.tractions, face.iterate.states);
   else
-    contact::normal_tractions(face.rows, face.z, face.tractions);
+    contact::normal_tractions(face.iterate.rows, face.iterate.z, face.iterate.tractions);
 }
 
 /// Rows of a tie have the initial weights; their normals, for reports, and the levers of a gap rotate.
 void find_tie(const MortarContact& contact, Interface& face) {
   const std::span<const Vec3> x = contact.nodes.x;
-  contact::nodal_normals(face.surfaces, face.topology, x, face.rows.normals);
-  contact::tie_levers(face.tie, face.surfaces, face.topology, contact.levers_from(), x, face.levers);
-  for (std::size_t row = 0; row < face.count(); ++row) face.tractions[row] = Vec3(&face.z[3 * row]);
+  contact::nodal_normals(face.surfaces, face.topology, x, face.iterate.rows.normals);
+  contact::tie_levers(face.start.tie, face.surfaces, face.topology, contact.levers_from(), x, face.iterate.levers);
+  for (std::size_t row = 0; row < face.count(); ++row) face.iterate.tractions[row] = Vec3(&face.iterate.z[3 * row]);
 }
 
 void find_rows(const MortarContact& contact, Iterate iterate, Interface& face) {
@@ -94,24 +96,24 @@ void find_rows(const MortarContact& contact, Iterate iterate, Interface& face) {
   if (face.consistent()) {
     find_slopes_at(face, nodes.x, {});
     contact::NodeBlocks<Vec3> gradient;
-    contact::gap_gradient(face.rows, face.slopes, gradient);
-    contact::gap_levers(face.rows, gradient, face.gap_levers);
+    contact::gap_gradient(face.iterate.rows, face.iterate.slopes, gradient);
+    contact::gap_levers(face.iterate.rows, gradient, face.iterate.gap_levers);
   } else {
     find_rows_at(face, nodes.x);
   }
   if (!face.keeps(contact)) return;
-  contact::gaps_at(face.rows, nodes.x_before, face.start_gaps);
+  contact::gaps_at(face.iterate.rows, nodes.x_before, face.least.at_start);
   if (iterate == Iterate::later) return;
   face.pressed_before.resize(face.count());
-  for (std::size_t row = 0; row < face.count(); ++row) face.pressed_before[row] = face.z[row] > 0 ? 1 : 0;
+  for (std::size_t row = 0; row < face.count(); ++row) face.pressed_before[row] = face.iterate.z[row] > 0 ? 1 : 0;
 }
 
 /// Distributes the multipliers of this rank to its rows.
 void take_multipliers(std::span<const double> own_z, MortarContact& contact) {
   for (Interface& face : contact.interfaces)
     if (face.multipliers() > 0) {
-      std::ranges::copy(own_z.first(face.z.size()), face.z.begin());
-      own_z = own_z.subspan(face.z.size());
+      std::ranges::copy(own_z.first(face.iterate.z.size()), face.iterate.z.begin());
+      own_z = own_z.subspan(face.iterate.z.size());
     }
 }
 
@@ -141,7 +143,7 @@ void find_contact(const comm::Communicator& ranks, MortarContact& contact, Itera
     if (face.keeps(contact)) find_least_gaps(face, contact.recovery);
     find_pressures(face, iterate == Iterate::first_of_run);
     if (face.consistent() && face.multipliers() == 0)
-      contact::add_penalty_levers(face.slopes, face.stiffness, face.z, face.gap_levers);
+      contact::add_penalty_levers(face.iterate.slopes, face.stiffness, face.iterate.z, face.iterate.gap_levers);
     find_tractions(contact.nodes, face);
   }
   sum_forces(ranks, contact);
@@ -151,21 +153,23 @@ void multiplier_residuals(const MortarContact& contact, std::span<double> residu
   std::size_t next = 0;
   std::vector<Vec3> ties;
   for (const Interface& face : contact.interfaces) {
-    if (face.pair.tied) contact::tie_residuals(face.tie, face.surfaces, face.topology, contact.nodes.x, ties);
+    if (face.pair.tied) contact::tie_residuals(face.start.tie, face.surfaces, face.topology, contact.nodes.x, ties);
     for (std::size_t row = 0; row < face.count(); ++row) {
       const double area = 1 / face.topology.kappa[row];
       if (face.pair.tied) {
-        const Vec3 given = face.tied[row] * (face.stiffness * area * ties[row]);
-        const Vec3 redundant = area * (face.tractions[row] - face.tied[row] * face.tractions[row]);
+        const Vec3 given = face.start.tied[row] * (face.stiffness * area * ties[row]);
+        const Vec3 redundant =
+            area * (face.iterate.tractions[row] - face.start.tied[row] * face.iterate.tractions[row]);
         for (int c = 0; c < 3; ++c) residual[next++] = given[c] + redundant[c];
       } else if (face.multipliers() == 1) {
-        const bool pressed = face.active[row] != 0;
+        const bool pressed = face.iterate.active[row] != 0;
         if (!pressed) {
-          residual[next++] = area * face.z[row];
+          residual[next++] = area * face.iterate.z[row];
           continue;
         }
-        const double fades = face.fades(row), by_gap = face.stiffness * face.above(row) / face.rows.covered[row];
-        residual[next++] = -area * ((1 - fades) * by_gap + fades * face.z[row]);
+        const double fades = face.fades(row),
+                     by_gap = face.stiffness * face.above(row) / face.iterate.rows.covered[row];
+        residual[next++] = -area * ((1 - fades) * by_gap + fades * face.iterate.z[row]);
       }
     }
   }
@@ -179,9 +183,9 @@ void keep_contact(MortarContact& contact) {
     to.insert(to.end(), values.begin(), values.end());
   };
   for (Interface& face : contact.interfaces) {
-    if (face.multipliers() > 0) append(told_to_all(face, face.z, face.multipliers()), contact.z_before);
+    if (face.multipliers() > 0) append(told_to_all(face, face.iterate.z, face.multipliers()), contact.z_before);
     if (face.pair.tied || face.friction.coefficient == 0) continue;
-    contact::keep_friction(face.rows, face.tractions, face.history);
+    contact::keep_friction(face.iterate.rows, face.iterate.tractions, face.history);
     std::vector<double> tractions;
     for (const Vec3& traction : face.history.tractions)
       tractions.insert(tractions.end(), traction.data(), traction.data() + 3);
@@ -203,15 +207,15 @@ void restore_contact(const comm::Communicator& ranks, const model::State& state,
   for (Interface& face : contact.interfaces) {
     if (face.pair.tied || face.friction.coefficient == 0) continue;
     for (std::size_t row = 0; row < face.count(); ++row)
-      face.history.tractions[row] = Vec3(&tractions[first + 3 * static_cast<std::size_t>(face.place[row])]);
-    first += 3 * face.rows_of_all;
+      face.history.tractions[row] = Vec3(&tractions[first + 3 * static_cast<std::size_t>(face.numbering.place[row])]);
+    first += 3 * face.numbering.rows_of_all;
   }
   contact.traction_before = tractions;
 }
 
 double given_in_step(const MortarContact& contact) {
   return sum_over_rows(contact, [](const Interface& face, std::size_t row) {
-    return face.z[row] * (face.rows.gaps[row] - face.start_gaps[row]);
+    return face.iterate.z[row] * (face.iterate.rows.gaps[row] - face.least.at_start[row]);
   });
 }
 

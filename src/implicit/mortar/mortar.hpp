@@ -75,9 +75,47 @@ struct PairSearch {
   Ragged<LocalIndex> candidates;  ///< for each slave facet
 };
 
+/// Where the rows of an interface stand among those of all ranks, and in the system.
+struct RowNumbering {
+  std::vector<LocalIndex> place;  ///< of each row among those of all ranks
+  std::size_t rows_of_all = 0;    ///< number of rows of all ranks
+  comm::Halo to_all;              ///< from the rows of all ranks to all rows in order: for sums and what is saved
+  comm::Halo beside;              ///< from the rows of all ranks to surfaces.rows_elsewhere
+  GlobalIndex first = 0;          ///< row, in the whole system, of the first multiplier
+};
+
+/// Of the rows of an interface at the iterate.
+struct InterfaceIterate {
+  contact::MortarRows rows;
+  contact::MortarSlopes slopes;
+  std::vector<double> z;  ///< pressures, one for each row; for ties three multipliers [force/length^2]
+  std::vector<std::uint8_t> active;
+  std::vector<Vec3> tractions;
+  std::vector<contact::FrictionState> states;
+  contact::NodeBlocks<Mat3> levers;      ///< of ties with a gap, for their forces [length^2]
+  contact::NodeBlocks<Vec3> gap_levers;  ///< if consistent: of the rows, for their forces [length^2]
+  contact::Patches lever_patches;        ///< likewise the derivatives of these forces
+};
+
+/// Gaps that rows may keep in a step, weighted [length^3].
+struct LeastGaps {
+  std::vector<double> at_start;              ///< of these rows at the positions of t_n; empty unless kept
+  std::vector<double> required;              ///< by the rows; empty: zero
+  std::vector<double> by_start, by_covered;  ///< derivatives of `required` by at_start and by area
+};
+
+/// Of the rows in the initial configuration.
+struct InterfaceStart {
+  contact::TieStart tie;
+  std::vector<Mat3> tied;             ///< of ties, for each row: projector onto the directions of its multipliers
+  std::vector<Mat3> given_apart;      ///< likewise those along which the slave and its projection are both constrained
+  std::vector<std::uint8_t> touches;  ///< rows that touch initially: active from the first iterate on
+  bool first_iterate = false;         ///< of the run: touching rows are stiff there
+};
+
 struct Interface {
   contact::MortarPair pair;
-  std::size_t of_pair = 0;           ///< number in Model::mortar, which may have several interfaces
+  std::size_t of_pair = 0;           ///< number in Model::touching.mortar, which may have several interfaces
   bool first_of_pair = true;         ///< of these
   bool of_points = false;            ///< rows of nodes of sharp edges on facets; otherwise of facets on facets
   contact::MortarSurfaces surfaces;  ///< of this rank; nodes: places in ContactNodes, rows: of nodes that it owns
@@ -87,34 +125,14 @@ struct Interface {
   OwnMasters own_masters;
   PairSearch search;
   contact::MortarScratchPointer scratch;
-  std::vector<LocalIndex> place;  ///< of each row among those of all ranks
-  std::size_t rows_of_all = 0;    ///< number of rows of all ranks
-  comm::Halo to_all;              ///< from the rows of all ranks to all rows in order: for sums and what is saved
-  comm::Halo beside;              ///< from the rows of all ranks to surfaces.rows_elsewhere
-  GlobalIndex first = 0;          ///< row, in the whole system, of the first multiplier
-  double stiffness = 0;           ///< of a layer with the thickness of one facet [force/length^3]
+  RowNumbering numbering;
+  double stiffness = 0;  ///< of a layer with the thickness of one facet [force/length^3]
   contact::MortarFriction friction;
-  // at the iterate
-  contact::MortarRows rows;
-  contact::MortarSlopes slopes;
-  std::vector<double> z;  ///< pressures, one for each row; for ties three multipliers [force/length^2]
-  std::vector<std::uint8_t> active;
-  std::vector<double> start_gaps;  ///< of these rows at the positions of t_n, weighted; empty unless kept [length^3]
-  std::vector<double> least_gaps;  ///< required by the rows, weighted; empty: zero [length^3]
-  std::vector<double> least_by_start, least_by_covered;  ///< its derivatives by start_gaps and by area
-  std::vector<std::uint8_t> pressed_before;              ///< at t_n
-  std::vector<Vec3> tractions;
-  std::vector<contact::FrictionState> states;
-  contact::NodeBlocks<Mat3> levers;      ///< of ties with a gap, for their forces [length^2]
-  contact::NodeBlocks<Vec3> gap_levers;  ///< if consistent: of the rows, for their forces [length^2]
-  contact::Patches lever_patches;        ///< likewise the derivatives of these forces
-  // of t_n and of the initial configuration
-  contact::FrictionHistory history;
-  contact::TieStart tie;
-  std::vector<Mat3> tied;             ///< of ties, for each row: projector onto the directions of its multipliers
-  std::vector<Mat3> given_apart;      ///< likewise those along which the slave and its projection are both constrained
-  std::vector<std::uint8_t> touches;  ///< rows that touch initially: active from the first iterate on
-  bool at_start = false;              ///< at the first iterate of the run: touching rows are stiff there
+  InterfaceIterate iterate;
+  LeastGaps least;
+  contact::FrictionHistory history;          ///< of t_n
+  std::vector<std::uint8_t> pressed_before;  ///< at t_n
+  InterfaceStart start;
 
   [[nodiscard]] int multipliers() const {  ///< unknowns of each row
     return pair.tied ? 3 : pair.enforce == contact::MortarPair::Enforce::penalty ? 0 : 1;
@@ -126,35 +144,35 @@ struct Interface {
   [[nodiscard]] bool consistent() const { return pair.consistent && !pair.tied; }
   /// Mean over the covered part of the row [length]; 0 if nothing is covered.
   [[nodiscard]] double mean_gap(std::size_t row) const {
-    return rows.covered[row] > 0 ? rows.gaps[row] / rows.covered[row] : 0.0;
+    return iterate.rows.covered[row] > 0 ? iterate.rows.gaps[row] / iterate.rows.covered[row] : 0.0;
   }
   /// Gap minus the gap required by the row, weighted [length^3].
   [[nodiscard]] double above(std::size_t row) const {
-    return rows.gaps[row] - (least_gaps.empty() ? 0.0 : least_gaps[row]);
+    return iterate.rows.gaps[row] - (least.required.empty() ? 0.0 : least.required[row]);
   }
   /// Least share of the equation z = 0 in that of a pressed row.
   [[nodiscard]] double yields() const { return of_points ? compliance : 0.0; }
   /// This share, up to 1: 1 - 1e-12 at 1e-6 of the row's area, 1e-12 at 1e-2 (more than the least share). A row that
   /// begins to be covered would otherwise need any pressure, however high, to close the gap of its sliver.
   [[nodiscard]] double fades(std::size_t row) const {
-    const double covered = topology.kappa[row] * rows.covered[row] / sliver, square = covered * covered;
+    const double covered = topology.kappa[row] * iterate.rows.covered[row] / sliver, square = covered * covered;
     return yields() + (1 - yields()) / (1 + square * square * square);
   }
   /// Derivative of `fades` by the covered area [1/length^2].
   [[nodiscard]] double fades_by_covered(std::size_t row) const {
     const double share = (fades(row) - yields()) / (1 - yields());
-    return share < 1 ? -6 * (1 - yields()) * share * (1 - share) / rows.covered[row] : 0.0;
+    return share < 1 ? -6 * (1 - yields()) * share * (1 - share) / iterate.rows.covered[row] : 0.0;
   }
   /// Derivative of a pressed row's equation by its weighted gap, without sign [force/length^3].
   [[nodiscard]] double by_gap(std::size_t row) const {
-    return (1 - fades(row)) * stiffness / (topology.kappa[row] * rows.covered[row]);
+    return (1 - fades(row)) * stiffness / (topology.kappa[row] * iterate.rows.covered[row]);
   }
   /// Whether gaps of t_n are kept: for exact multipliers with a scheme whose contact force acts at the end of the step.
   [[nodiscard]] bool keeps(const struct MortarContact& contact) const;
   [[nodiscard]] std::size_t count() const { return surfaces.rows.size(); }  ///< rows of this rank
   /// Row of the whole system.
   [[nodiscard]] GlobalIndex multiplier(std::size_t row, int k = 0) const {
-    return first + static_cast<GlobalIndex>(multipliers()) * place[row] + k;
+    return numbering.first + static_cast<GlobalIndex>(multipliers()) * numbering.place[row] + k;
   }
 };
 
@@ -198,7 +216,7 @@ inline bool Interface::keeps(const MortarContact& contact) const {
   return contact.keeps_gaps && multipliers() == 1;
 }
 
-/// Interfaces of Model::mortar. Throws InputError if two surfaces cannot form one. Collective.
+/// Interfaces of Model::touching.mortar. Throws InputError if two surfaces cannot form one. Collective.
 MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns);
 
 /// Positions of the nodes of contact at X + u, and multipliers `own_z` of this rank; exchanges masters that have come

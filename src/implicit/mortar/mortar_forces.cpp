@@ -33,11 +33,11 @@ template <class Take>
 void lever_shares_of(const ContactNodes& nodes, const Interface& face, std::size_t row, std::int64_t turn,
                      const Take& take) {
   const auto index = static_cast<LocalIndex>(row);
-  const std::span<const LocalIndex> of_row = face.levers.nodes.row(index);
+  const std::span<const LocalIndex> of_row = face.iterate.levers.nodes.row(index);
   for (std::size_t k = 0; k < of_row.size(); ++k) {
     const auto node = static_cast<std::size_t>(of_row[k]);
-    Share share{turn, face.place[row], nodes.gid[node]};
-    Eigen::Map<Vec3>(share.force.data()) = face.levers.row(index)[k].transpose() * face.tractions[row];
+    Share share{turn, face.numbering.place[row], nodes.gid[node]};
+    Eigen::Map<Vec3>(share.force.data()) = face.iterate.levers.row(index)[k].transpose() * face.iterate.tractions[row];
     take(nodes.source[node].rank, share);
   }
 }
@@ -47,11 +47,11 @@ template <class Take>
 void gap_lever_shares_of(const ContactNodes& nodes, const Interface& face, std::size_t row, std::int64_t turn,
                          const Take& take) {
   const auto index = static_cast<LocalIndex>(row);
-  const std::span<const LocalIndex> of_row = face.gap_levers.nodes.row(index);
-  for (std::size_t k = 0; k < of_row.size() && face.z[row] != 0; ++k) {
+  const std::span<const LocalIndex> of_row = face.iterate.gap_levers.nodes.row(index);
+  for (std::size_t k = 0; k < of_row.size() && face.iterate.z[row] != 0; ++k) {
     const auto node = static_cast<std::size_t>(of_row[k]);
-    Share share{turn, face.place[row], nodes.gid[node]};
-    Eigen::Map<Vec3>(share.force.data()) = face.z[row] * face.gap_levers.row(index)[k];
+    Share share{turn, face.numbering.place[row], nodes.gid[node]};
+    Eigen::Map<Vec3>(share.force.data()) = face.iterate.z[row] * face.iterate.gap_levers.row(index)[k];
     take(nodes.source[node].rank, share);
   }
 }
@@ -59,20 +59,20 @@ void gap_lever_shares_of(const ContactNodes& nodes, const Interface& face, std::
 /// Calls take(owner, share) for each node of each row that has a traction, in the order of the rows.
 template <class Take>
 void shares_of(const ContactNodes& nodes, const Interface& face, std::int64_t turn, const Take& take) {
-  const contact::NodeBlocks<double>& weights = face.pair.tied ? face.tie.weights : face.rows.weights;
+  const contact::NodeBlocks<double>& weights = face.pair.tied ? face.start.tie.weights : face.iterate.rows.weights;
   for (std::size_t row = 0; row < face.count(); ++row) {
-    const Vec3& traction = face.tractions[row];
+    const Vec3& traction = face.iterate.tractions[row];
     if (traction.isZero(0)) continue;
     Vec3 tangential = Vec3::Zero();
     if (!face.pair.tied && face.friction.coefficient > 0) {
-      const Vec3& n = face.rows.normals[row];
+      const Vec3& n = face.iterate.rows.normals[row];
       tangential = traction - n.dot(traction) * n;
     }
     const std::span<const LocalIndex> of_row = weights.nodes.row(static_cast<LocalIndex>(row));
     for (std::size_t k = 0; k < of_row.size(); ++k) {
       const auto node = static_cast<std::size_t>(of_row[k]);
       const double weight = weights.row(static_cast<LocalIndex>(row))[k];
-      Share share{turn, face.place[row], nodes.gid[node]};
+      Share share{turn, face.numbering.place[row], nodes.gid[node]};
       Eigen::Map<Vec3>(share.force.data()) = weight * traction;
       Eigen::Map<Vec3>(share.friction.data()) = weight * tangential;
       take(nodes.source[node].rank, share);

@@ -42,25 +42,25 @@ void for_each_piece(const MortarContact& contact, const std::vector<contact::Tra
   for (std::size_t k = 0; k < contact.interfaces.size(); ++k) {
     const Interface& face = contact.interfaces[k];
     const auto interface = static_cast<GlobalIndex>(k);
-    for (std::size_t p = 0; p < face.slopes.weights.count; ++p) {
-      const contact::Patch& patch = face.slopes.weights.patch[p];
-      const auto source = static_cast<std::size_t>(face.slopes.weights.source[p]);
-      const GlobalIndex key = face.of_points ? GlobalIndex{face.place[source]} : face.slave_key[source];
+    for (std::size_t p = 0; p < face.iterate.slopes.weights.count; ++p) {
+      const contact::Patch& patch = face.iterate.slopes.weights.patch[p];
+      const auto source = static_cast<std::size_t>(face.iterate.slopes.weights.source[p]);
+      const GlobalIndex key = face.of_points ? GlobalIndex{face.numbering.place[source]} : face.slave_key[source];
       visit(Piece{{interface, 0, key}, patch.rows, patch.columns, patch.values.data()});
     }
     const contact::NodeBlocks<Mat3>& slopes = tractions[k].by_position;
     for (LocalIndex row = 0; row < slopes.nodes.rows(); ++row) {
-      visit(Piece{{interface, 1, nth(face.place, row)},
-                  face.rows.weights.nodes.row(row),
+      visit(Piece{{interface, 1, nth(face.numbering.place, row)},
+                  face.iterate.rows.weights.nodes.row(row),
                   slopes.nodes.row(row),
                   nullptr,
-                  face.rows.weights.row(row),
+                  face.iterate.rows.weights.row(row),
                   slopes.row(row)});
     }
-    for (std::size_t p = 0; face.consistent() && p < face.lever_patches.count; ++p) {
-      const contact::Patch& patch = face.lever_patches.patch[p];
-      const auto row = static_cast<std::size_t>(face.lever_patches.source[p]);
-      visit(Piece{{interface, 2, face.place[row]}, patch.rows, patch.columns, patch.values.data()});
+    for (std::size_t p = 0; face.consistent() && p < face.iterate.lever_patches.count; ++p) {
+      const contact::Patch& patch = face.iterate.lever_patches.patch[p];
+      const auto row = static_cast<std::size_t>(face.iterate.lever_patches.source[p]);
+      visit(Piece{{interface, 2, face.numbering.place[row]}, patch.rows, patch.columns, patch.values.data()});
     }
   }
 }

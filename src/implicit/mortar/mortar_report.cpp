@@ -24,12 +24,12 @@ GlobalIndex pairs_of(const Interface& face) {
 ContactCounts count(const MortarContact& contact) {
   ContactCounts sum;
   for (const Interface& face : contact.interfaces) {
-    sum.segments += static_cast<GlobalIndex>(face.rows.segments);
+    sum.segments += static_cast<GlobalIndex>(face.iterate.rows.segments);
     sum.pairs += pairs_of(face);
     sum.tests += face.search.counts.tests;
     const auto held = static_cast<GlobalIndex>(
-        face.pair.tied ? std::ranges::count_if(face.tie.covered, [](double area) { return area > 0; })
-                       : std::ranges::count(face.active, std::uint8_t{1}));
+        face.pair.tied ? std::ranges::count_if(face.start.tie.covered, [](double area) { return area > 0; })
+                       : std::ranges::count(face.iterate.active, std::uint8_t{1}));
     sum.active += held;
     if (!face.pair.tied) sum.touching += held;
   }
@@ -47,9 +47,9 @@ std::vector<std::uint8_t> branches(const MortarContact& contact) {
   std::vector<std::uint8_t> all;
   for (const Interface& face : contact.interfaces)
     for (std::size_t row = 0; !face.pair.tied && row < face.count(); ++row) {
-      const bool keeps = face.active[row] != 0 && !face.least_gaps.empty() && face.least_gaps[row] < 0;
-      const int friction = face.states.empty() ? 0 : static_cast<int>(face.states[row]);
-      all.push_back(static_cast<std::uint8_t>(face.active[row] + 2 * static_cast<int>(keeps) + 4 * friction));
+      const bool keeps = face.iterate.active[row] != 0 && !face.least.required.empty() && face.least.required[row] < 0;
+      const int friction = face.iterate.states.empty() ? 0 : static_cast<int>(face.iterate.states[row]);
+      all.push_back(static_cast<std::uint8_t>(face.iterate.active[row] + 2 * static_cast<int>(keeps) + 4 * friction));
     }
   return all;
 }
@@ -69,7 +69,8 @@ void for_each_row(const MortarContact& contact, const Visit& visit) {
 std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex nodes) {
   std::vector<double> pressure(static_cast<std::size_t>(nodes), 0.0);
   for_each_row(contact, [&](const Interface& face, std::size_t row, std::size_t node) {
-    const double z = face.pair.tied ? face.rows.normals[row].dot(face.tractions[row]) : face.z[row];
+    const double z =
+        face.pair.tied ? face.iterate.rows.normals[row].dot(face.iterate.tractions[row]) : face.iterate.z[row];
     pressure[node] = pressure[node] == 0 ? z : std::max(pressure[node], z);
   });
   return pressure;
@@ -78,7 +79,7 @@ std::vector<double> contact_pressures(const MortarContact& contact, LocalIndex n
 std::vector<double> contact_gaps(const MortarContact& contact, LocalIndex nodes) {
   std::vector<double> gap(static_cast<std::size_t>(nodes), 0.0);
   for_each_row(contact, [&](const Interface& face, std::size_t row, std::size_t node) {
-    if (face.pair.tied || face.rows.covered[row] == 0) return;
+    if (face.pair.tied || face.iterate.rows.covered[row] == 0) return;
     const double own = face.mean_gap(row);
     gap[node] = gap[node] == 0 ? own : std::min(gap[node], own);
   });

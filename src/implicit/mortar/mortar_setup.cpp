@@ -123,9 +123,9 @@ void lay_sides(const model::Model& model, const WholeSurfaces& whole, const Mort
 void lay_tie(const WholeSurfaces& whole, Interface& face) {
   search(face, whole.reference);
   contact::mortar_rows(face.surfaces, face.topology, face.search.candidates, whole.reference,
-                       *contact::make_mortar_scratch(), face.rows);
-  face.tie = contact::tie_start(face.surfaces, face.search.candidates, whole.reference, face.rows);
-  contact::find_places_below(face.surfaces, face.topology, face.search.candidates, whole.reference, face.tie);
+                       *contact::make_mortar_scratch(), face.iterate.rows);
+  face.start.tie = contact::tie_start(face.surfaces, face.search.candidates, whole.reference, face.iterate.rows);
+  contact::find_places_below(face.surfaces, face.topology, face.search.candidates, whole.reference, face.start.tie);
 }
 
 /// Whether both sides are fully constrained, so that no multiplier can act.
@@ -146,9 +146,9 @@ void refuse_held(const model::Model& model, const WholeSurfaces& whole, const In
 void note_redundant(const comm::Communicator& ranks, const Interface& face, std::vector<std::string>& notes) {
   GlobalIndex covered = 0, redundant = 0;
   for (std::size_t row = 0; row < face.count(); ++row) {
-    if (face.tie.covered[row] == 0) continue;
+    if (face.start.tie.covered[row] == 0) continue;
     ++covered;
-    if (!face.tied[row].isIdentity()) ++redundant;
+    if (!face.start.tied[row].isIdentity()) ++redundant;
   }
   covered = ranks.sum(covered);
   redundant = ranks.sum(redundant);
@@ -202,13 +202,13 @@ void warn_of_chords(const model::Model& model, const WholeSurfaces& whole, const
 void number_multipliers(const Unknowns& unknowns, MortarContact& contact) {
   GlobalIndex next = unknowns.total;
   for (Interface& face : contact.interfaces) {
-    face.first = next;
+    face.numbering.first = next;
     for (std::size_t row = 0; row < face.count(); ++row)
       for (int k = 0; k < face.multipliers(); ++k) {
         contact.own_rows.push_back(face.multiplier(row, k));
         contact.own.push_back(static_cast<LocalIndex>(face.multiplier(row, k) - unknowns.total));
       }
-    next += static_cast<GlobalIndex>(face.rows_of_all) * face.multipliers();
+    next += static_cast<GlobalIndex>(face.numbering.rows_of_all) * face.multipliers();
   }
 }
 
@@ -216,12 +216,12 @@ void number_multipliers(const Unknowns& unknowns, MortarContact& contact) {
 
 MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns) {
   MortarContact contact;
-  if (model.mortar.empty()) return contact;
+  if (model.touching.mortar.empty()) return contact;
   const WholeSurfaces whole = tell_surfaces(ranks, model);
   std::vector<WholeInterface> interfaces;
-  for (const MortarPair& pair : model.mortar) {
+  for (const MortarPair& pair : model.touching.mortar) {
     WholeInterface whole_pair = make_interface(model, whole, pair);
-    whole_pair.face.of_pair = static_cast<std::size_t>(&pair - model.mortar.data());
+    whole_pair.face.of_pair = static_cast<std::size_t>(&pair - model.touching.mortar.data());
     warn_of_chords(model, whole, whole_pair.face, contact.warnings);
     std::ranges::move(split_at_edges(whole, std::move(whole_pair)), std::back_inserter(interfaces));
   }
@@ -231,7 +231,8 @@ MortarContact make_mortar(const comm::Communicator& ranks, const model::Model& m
   find_contact(ranks, contact, Iterate::first_of_step);
   for (Interface& face : contact.interfaces)
     for (std::size_t row = 0; row < face.count() && !face.pair.tied; ++row)
-      face.touches[row] = face.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
+      face.start.touches[row] =
+          face.iterate.rows.covered[row] > 0 && std::abs(face.mean_gap(row)) <= touching * face.topology.edge;
   leave_out_redundant(ranks, contact.nodes.free, contact);
   for (const Interface& face : contact.interfaces)
     if (face.pair.tied) note_redundant(ranks, face, contact.notes);

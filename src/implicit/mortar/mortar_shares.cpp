@@ -91,8 +91,8 @@ void keep_nodes(Rank rank, const WholeSurfaces& whole, const WholeInterface& of,
   for (const std::size_t facet : part.facets) kept.keep(of.slave.facets[facet]);
   if (!of.face.pair.tied) return;
   for (const std::size_t row : part.rows) {
-    for (const LocalIndex node : of.face.tie.weights.nodes.row(static_cast<LocalIndex>(row))) kept.keep(node);
-    kept.keep(of.face.tie.below[row].nodes);
+    for (const LocalIndex node : of.face.start.tie.weights.nodes.row(static_cast<LocalIndex>(row))) kept.keep(node);
+    kept.keep(of.face.start.tie.below[row].nodes);
   }
 }
 
@@ -106,11 +106,11 @@ void link_rows(const comm::Communicator& ranks, const WholeSurfaces& whole, cons
     source.push_back({owner, nth(count, owner)++});
   }
   for (const std::size_t row : part.rows_beside) beside.push_back(source[row]);
-  face.rows_of_all = all.count();
-  for (const std::size_t row : part.rows) face.place.push_back(static_cast<LocalIndex>(row));
+  face.numbering.rows_of_all = all.count();
+  for (const std::size_t row : part.rows) face.numbering.place.push_back(static_cast<LocalIndex>(row));
   const auto rows = static_cast<LocalIndex>(part.rows.size());
-  face.to_all = comm::Halo(ranks, rows, source);
-  face.beside = comm::Halo(ranks, rows, beside);
+  face.numbering.to_all = comm::Halo(ranks, rows, source);
+  face.numbering.beside = comm::Halo(ranks, rows, beside);
 }
 
 /// The rows of the corners of its facets, in the numbers of this rank: its own, then those beside.
@@ -161,16 +161,16 @@ void lay_surfaces(Rank rank, const WholeInterface& of, const Part& part, const K
 void lay_tie(const Interface& all, const Part& part, const Kept& kept, Interface& face) {
   for (const std::size_t row : part.rows) {
     const auto index = static_cast<LocalIndex>(row);
-    for (const LocalIndex node : all.tie.weights.nodes.row(index))
-      face.tie.weights.nodes.values.push_back(kept.place(node));
-    face.tie.weights.nodes.close_row();
-    const std::span<const double> weights = all.tie.weights.row(index);
-    face.tie.weights.blocks.insert(face.tie.weights.blocks.end(), weights.begin(), weights.end());
-    face.tie.covered.push_back(all.tie.covered[row]);
-    face.tie.below.push_back({kept.place(all.tie.below[row].nodes), all.tie.below[row].weights});
+    for (const LocalIndex node : all.start.tie.weights.nodes.row(index))
+      face.start.tie.weights.nodes.values.push_back(kept.place(node));
+    face.start.tie.weights.nodes.close_row();
+    const std::span<const double> weights = all.start.tie.weights.row(index);
+    face.start.tie.weights.blocks.insert(face.start.tie.weights.blocks.end(), weights.begin(), weights.end());
+    face.start.tie.covered.push_back(all.start.tie.covered[row]);
+    face.start.tie.below.push_back({kept.place(all.start.tie.below[row].nodes), all.start.tie.below[row].weights});
   }
-  for (const std::size_t facet : part.facets) face.tie.heights.push_back(all.tie.heights[facet]);
-  face.tie.apart = all.tie.apart;
+  for (const std::size_t facet : part.facets) face.start.tie.heights.push_back(all.start.tie.heights[facet]);
+  face.start.tie.apart = all.start.tie.apart;
 }
 
 void lay_nodes(const comm::Communicator& ranks, const model::Model& model, const Unknowns& unknowns,
@@ -246,14 +246,14 @@ Interface interface_of(const comm::Communicator& ranks, const WholeSurfaces& who
     share_self(of.slave.facets, whole.reference, part.facets, *face.self);
   }
   if (face.pair.tied && ranks.is_root()) {  // initial rows: counted once
-    face.rows.segments = of.face.rows.segments;
+    face.iterate.rows.segments = of.face.iterate.rows.segments;
     face.search.counts = of.face.search.counts;
   }
   const std::size_t n = face.count();
-  face.z.assign(n * (face.pair.tied ? 3 : 1), 0.0);
-  face.active.assign(n, 0);
-  face.tractions.assign(n, Vec3::Zero());
-  face.touches.assign(n, 0);
+  face.iterate.z.assign(n * (face.pair.tied ? 3 : 1), 0.0);
+  face.iterate.active.assign(n, 0);
+  face.iterate.tractions.assign(n, Vec3::Zero());
+  face.start.touches.assign(n, 0);
   return face;
 }
 
@@ -288,8 +288,8 @@ void share_out(const comm::Communicator& ranks, const model::Model& model, const
 }
 
 std::vector<double> told_to_all(const Interface& face, std::span<const double> of_rows, int width) {
-  std::vector<double> all(face.rows_of_all * static_cast<std::size_t>(width));
-  face.to_all.forward(of_rows, all, width);
+  std::vector<double> all(face.numbering.rows_of_all * static_cast<std::size_t>(width));
+  face.numbering.to_all.forward(of_rows, all, width);
   return all;
 }
 

@@ -20,9 +20,10 @@ std::vector<FaceRecord> faces_of_pairs(const comm::Communicator& ranks, const mo
   std::vector<FaceRecord> mine;
   for (std::size_t f = 0; f < model.mesh.faces.size(); ++f) {
     const mesh::ExteriorFace& face = model.mesh.faces[f];
-    const bool meets = std::ranges::any_of(
-        model.mortar, [&](const MortarPair& pair) { return pair.slave == face.block || pair.master == face.block; });
-    if (!meets || (!model.in_symmetry_plane.empty() && model.in_symmetry_plane[f] != 0)) continue;
+    const bool meets = std::ranges::any_of(model.touching.mortar, [&](const MortarPair& pair) {
+      return pair.slave == face.block || pair.master == face.block;
+    });
+    if (!meets || (!model.touching.in_symmetry_plane.empty() && model.touching.in_symmetry_plane[f] != 0)) continue;
     FaceRecord record{face.key, {}, face.block, ranks.rank()};
     for (std::size_t k = 0; k < 4; ++k)
       record.node[k] = face.nodes[k] == no_index ? -1 : nth(model.mesh.node_gid, face.nodes[k]);
@@ -54,8 +55,8 @@ std::vector<NodeRecord> nodes_of(const comm::Communicator& ranks, const model::M
     if (!std::ranges::binary_search(gids, model.mesh.node_gid[i])) continue;
     NodeRecord record{model.mesh.node_gid[i], ranks.rank(), node};
     for (int c = 0; c < 3; ++c) nth(record.reference, c) = model.reference[i][c];
-    const auto held = std::ranges::lower_bound(model.constrained, node, {}, &model::ConstrainedNode::node);
-    if (held != model.constrained.end() && held->node == node)
+    const auto held = std::ranges::lower_bound(model.supports.nodes, node, {}, &contact::ConstrainedNode::node);
+    if (held != model.supports.nodes.end() && held->node == node)
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(record.free.data()) = held->free;
     else if (!model.bodies.empty())
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(record.free.data()) = freed_by_body(model, node);
@@ -68,7 +69,7 @@ std::vector<NodeRecord> nodes_of(const comm::Communicator& ranks, const model::M
 
 std::vector<MirrorRecord> mirrors_of(const comm::Communicator& ranks, const model::Model& model) {
   std::vector<MirrorRecord> mine;
-  for (const model::SymmetryNodes& plane : model.symmetries)
+  for (const model::SymmetryNodes& plane : model.touching.symmetries)
     for (const LocalIndex node : plane.nodes)
       if (std::ranges::binary_search(model.owned, node))
         mine.push_back({nth(model.mesh.node_gid, node), {plane.normal[0], plane.normal[1], plane.normal[2]}});

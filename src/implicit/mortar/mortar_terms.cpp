@@ -85,37 +85,38 @@ class Terms {
 void add_multipliers(const MortarContact& contact, const Interface& face, const contact::NodeBlocks<Vec3>& gradient,
                      const contact::TractionSlopes& tractions, Terms& terms) {
   contact::NodeBlocks<Vec3> columns, of_start;
-  if (face.keeps(contact)) contact::gaps_at_gradient(face.rows, face.slopes, contact.nodes.x_before, of_start);
-  contact::pressure_columns(face.rows, tractions.by_pressure, columns);
+  if (face.keeps(contact))
+    contact::gaps_at_gradient(face.iterate.rows, face.iterate.slopes, contact.nodes.x_before, of_start);
+  contact::pressure_columns(face.iterate.rows, tractions.by_pressure, columns);
   for (std::size_t row = 0; row < face.count(); ++row) {
     const GlobalIndex multiplier = face.multiplier(row);
     const auto index = static_cast<LocalIndex>(row);
     for (std::size_t k = 0; k < columns.nodes.row(index).size(); ++k)
       terms.node_multiplier(columns.nodes.row(index)[k], multiplier, columns.row(index)[k]);
     const std::span<const LocalIndex> turned =
-        face.consistent() ? face.gap_levers.nodes.row(index) : std::span<const LocalIndex>();
+        face.consistent() ? face.iterate.gap_levers.nodes.row(index) : std::span<const LocalIndex>();
     for (std::size_t k = 0; k < turned.size(); ++k)
-      terms.node_multiplier(turned[k], multiplier, face.gap_levers.row(index)[k]);
-    if (face.active[row] == 0) {
+      terms.node_multiplier(turned[k], multiplier, face.iterate.gap_levers.row(index)[k]);
+    if (face.iterate.active[row] == 0) {
       terms.multiplier_multiplier(multiplier, multiplier, 1 / face.topology.kappa[row]);
       continue;
     }
-    const double covered = face.rows.covered[row], fades = face.fades(row);
+    const double covered = face.iterate.rows.covered[row], fades = face.fades(row);
     const double rate = -face.by_gap(row);
     if (fades > 0) terms.multiplier_multiplier(multiplier, multiplier, -fades / face.topology.kappa[row]);
     for (std::size_t k = 0; k < gradient.nodes.row(index).size(); ++k)
       terms.multiplier_node(multiplier, gradient.nodes.row(index)[k], rate * gradient.row(index)[k]);
-    const contact::NodeBlocks<Vec3>& area = face.slopes.covered;
+    const contact::NodeBlocks<Vec3>& area = face.iterate.slopes.covered;
     const bool keeps = face.keeps(contact);
-    const double by_covered = face.above(row) / covered + (keeps ? face.least_by_covered[row] : 0.0);
+    const double by_covered = face.above(row) / covered + (keeps ? face.least.by_covered[row] : 0.0);
     const double by_fading = face.fades_by_covered(row) / face.topology.kappa[row] *
-                             (face.stiffness * face.above(row) / covered - face.z[row]);
+                             (face.stiffness * face.above(row) / covered - face.iterate.z[row]);
     for (std::size_t k = 0; k < area.nodes.row(index).size(); ++k)
       terms.multiplier_node(multiplier, area.nodes.row(index)[k], (by_fading - rate * by_covered) * area.row(index)[k]);
-    if (!keeps || face.least_by_start[row] == 0) continue;
+    if (!keeps || face.least.by_start[row] == 0) continue;
     for (std::size_t k = 0; k < of_start.nodes.row(index).size(); ++k)
       terms.multiplier_node(multiplier, of_start.nodes.row(index)[k],
-                            -rate * face.least_by_start[row] * of_start.row(index)[k]);
+                            -rate * face.least.by_start[row] * of_start.row(index)[k]);
   }
 }
 
@@ -123,22 +124,22 @@ void add_multipliers(const MortarContact& contact, const Interface& face, const 
 std::vector<Vec3> with_those_beside(const Interface& face, std::vector<Vec3> all) {
   std::vector<double> own(3 * face.count()), others(3 * face.surfaces.rows_elsewhere.size());
   for (std::size_t row = 0; row < face.count(); ++row) put(all[row], own, row);
-  face.beside.forward(own, others, 3);
+  face.numbering.beside.forward(own, others, 3);
   for (std::size_t k = 0; k < others.size(); k += 3) all.emplace_back(&others[k]);
   return all;
 }
 
 std::vector<Vec3> tractions_around(const Interface& face) {
-  return with_those_beside(face, face.tractions);
+  return with_those_beside(face, face.iterate.tractions);
 }
 
 /// Consistent rows and the first derivatives of their forces; what second derivatives of weights and
 /// normals do is left out. Collective.
 void find_consistent_slopes(const MortarContact& contact, Interface& face) {
   std::vector<Vec3> pressures;
-  contact::normal_tractions(face.rows, face.z, pressures);
+  contact::normal_tractions(face.iterate.rows, face.iterate.z, pressures);
   find_slopes_at(face, contact.nodes.x, tractions_around(face), {}, with_those_beside(face, std::move(pressures)));
-  contact::lever_patches(face.rows, face.slopes, face.z, face.lever_patches);
+  contact::lever_patches(face.iterate.rows, face.iterate.slopes, face.iterate.z, face.iterate.lever_patches);
 }
 
 /// Derivatives of the rows and of their tractions. Collective.
@@ -150,52 +151,55 @@ void find_slopes(MortarContact& contact, Interface& face, FrictionLimit limit, c
     find_slopes_at(face, contact.nodes.x, tractions_around(face),
                    face.keeps(contact) ? std::span<const Vec3>(contact.nodes.x_before) : std::span<const Vec3>());
   if (face.friction.coefficient > 0)
-    contact::friction_traction_slopes(
-        face.rows, face.slopes, contact.nodes.x, face.z, face.friction, face.history, tractions,
-        face.at_start ? std::span<const std::uint8_t>(face.active) : std::span<const std::uint8_t>());
+    contact::friction_traction_slopes(face.iterate.rows, face.iterate.slopes, contact.nodes.x, face.iterate.z,
+                                      face.friction, face.history, tractions,
+                                      face.start.first_iterate ? std::span<const std::uint8_t>(face.iterate.active)
+                                                               : std::span<const std::uint8_t>());
   else
-    contact::normal_traction_slopes(face.rows, face.slopes, face.z, tractions);
-  if (limit == FrictionLimit::given) tractions.by_pressure = face.rows.normals;
+    contact::normal_traction_slopes(face.iterate.rows, face.iterate.slopes, face.iterate.z, tractions);
+  if (limit == FrictionLimit::given) tractions.by_pressure = face.iterate.rows.normals;
   contact::NodeBlocks<Vec3> gradient;
-  contact::gap_gradient(face.rows, face.slopes, gradient);
+  contact::gap_gradient(face.iterate.rows, face.iterate.slopes, gradient);
   if (face.multipliers() == 0)
-    contact::add_penalty_slopes(face.rows, gradient, face.slopes, face.stiffness, face.active, tractions);
+    contact::add_penalty_slopes(face.iterate.rows, gradient, face.iterate.slopes, face.stiffness, face.iterate.active,
+                                tractions);
   else
     add_multipliers(contact, face, gradient, tractions, terms);
   if (face.consistent() && face.multipliers() == 0)
-    contact::add_penalty_lever_patches(face.rows, face.slopes, gradient, face.gap_levers, face.stiffness, face.z,
-                                       face.lever_patches);
+    contact::add_penalty_lever_patches(face.iterate.rows, face.iterate.slopes, gradient, face.iterate.gap_levers,
+                                       face.stiffness, face.iterate.z, face.iterate.lever_patches);
 }
 
 /// Columns of a tie's multipliers: - the derivatives of its forces.
 void add_tie_columns(const Interface& face, std::size_t row, Terms& terms) {
   const auto index = static_cast<LocalIndex>(row);
-  const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index), turned = face.levers.nodes.row(index);
+  const std::span<const LocalIndex> nodes = face.start.tie.weights.nodes.row(index),
+                                    turned = face.iterate.levers.nodes.row(index);
   for (int c = 0; c < 3; ++c) {
     const GlobalIndex multiplier = face.multiplier(row, c);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      terms.node_multiplier(nodes[k], multiplier, face.tie.weights.row(index)[k] * Vec3::Unit(c));
+      terms.node_multiplier(nodes[k], multiplier, face.start.tie.weights.row(index)[k] * Vec3::Unit(c));
     for (std::size_t k = 0; k < turned.size(); ++k)
-      terms.node_multiplier(turned[k], multiplier, face.levers.row(index)[k].row(c).transpose());
+      terms.node_multiplier(turned[k], multiplier, face.iterate.levers.row(index)[k].row(c).transpose());
   }
 }
 
 /// The equations of a tied row, whose levers at the iterate are `gradient`.
 void add_tie_rows(const Interface& face, std::size_t row, const contact::NodeBlocks<Mat3>& gradient, Terms& terms) {
   const auto index = static_cast<LocalIndex>(row);
-  const Mat3& tied = face.tied[row];
+  const Mat3& tied = face.start.tied[row];
   const double area = 1 / face.topology.kappa[row];
   for (int c = 0; c < 3; ++c)
     for (int j = 0; j < 3; ++j)
       if (const double redundant = area * ((c == j ? 1 : 0) - tied(c, j)); redundant != 0)
         terms.multiplier_multiplier(face.multiplier(row, c), face.multiplier(row, j), redundant);
-  if (face.tie.covered[row] == 0) return;
-  const Mat3 rate = face.stiffness * area / face.tie.covered[row] * tied;
+  if (face.start.tie.covered[row] == 0) return;
+  const Mat3 rate = face.stiffness * area / face.start.tie.covered[row] * tied;
   const auto add = [&](LocalIndex node, const Mat3& slope) {
     for (int c = 0; c < 3; ++c) terms.multiplier_node(face.multiplier(row, c), node, slope.row(c).transpose());
   };
-  const std::span<const LocalIndex> nodes = face.tie.weights.nodes.row(index), turned = gradient.nodes.row(index);
-  for (std::size_t k = 0; k < nodes.size(); ++k) add(nodes[k], face.tie.weights.row(index)[k] * rate);
+  const std::span<const LocalIndex> nodes = face.start.tie.weights.nodes.row(index), turned = gradient.nodes.row(index);
+  for (std::size_t k = 0; k < nodes.size(); ++k) add(nodes[k], face.start.tie.weights.row(index)[k] * rate);
   for (std::size_t k = 0; k < turned.size(); ++k) add(turned[k], rate * gradient.row(index)[k]);
 }
 
@@ -203,14 +207,14 @@ void add_tie_rows(const Interface& face, std::size_t row, const contact::NodeBlo
 void add_tie(const MortarContact& contact, Interface& face, Terms& terms) {
   const std::span<const Vec3> x = contact.nodes.x;
   contact::NodeBlocks<Mat3> gradient;
-  contact::tie_levers(face.tie, face.surfaces, face.topology, {}, x, gradient);
+  contact::tie_levers(face.start.tie, face.surfaces, face.topology, {}, x, gradient);
   for (std::size_t row = 0; row < face.count(); ++row) {
     add_tie_columns(face, row, terms);
     add_tie_rows(face, row, gradient, terms);
   }
-  if (face.tie.apart)
-    contact::tie_patches(face.tie, face.surfaces, face.topology, contact.levers_from(), x, tractions_around(face),
-                         face.slopes.weights);
+  if (face.start.tie.apart)
+    contact::tie_patches(face.start.tie, face.surfaces, face.topology, contact.levers_from(), x, tractions_around(face),
+                         face.iterate.slopes.weights);
 }
 
 }  // namespace

@@ -16,12 +16,12 @@ namespace {
 
 contact::Equations equations_of(const Interface& face) {
   contact::Equations equations;
-  equations.weights = face.pair.tied ? &face.tie.weights : &face.rows.weights;
-  equations.covered = face.pair.tied ? face.tie.covered : face.rows.covered;
+  equations.weights = face.pair.tied ? &face.start.tie.weights : &face.iterate.rows.weights;
+  equations.covered = face.pair.tied ? face.start.tie.covered : face.iterate.rows.covered;
   equations.slaves = face.surfaces.rows;
   if (face.pair.tied) {
-    equations.held = face.tied;
-    if (face.tie.apart) equations.levers = &face.levers;
+    equations.held = face.start.tied;
+    if (face.start.tie.apart) equations.levers = &face.iterate.levers;
     return equations;
   }
   // of redundant rows those with previous pressure remain active: otherwise they would alternate
@@ -29,9 +29,9 @@ contact::Equations equations_of(const Interface& face) {
   equations.held.assign(face.count(), Mat3::Zero());
   if (!face.is_exact()) return equations;  // penalties and compliant rows yield to others
   for (std::size_t row = 0; row < face.count(); ++row) {
-    const Vec3& normal = face.rows.normals[row];
-    if (face.active[row] != 0) equations.held[row] = normal * normal.transpose();
-    equations.preferred[row] = face.z[row] > 0 ? 1 : 0;
+    const Vec3& normal = face.iterate.rows.normals[row];
+    if (face.iterate.active[row] != 0) equations.held[row] = normal * normal.transpose();
+    equations.preferred[row] = face.iterate.z[row] > 0 ? 1 : 0;
   }
   return equations;
 }
@@ -40,10 +40,11 @@ contact::Equations equations_of(const Interface& face) {
 void find_tied(MortarContact& contact) {
   for (Interface& face : contact.interfaces) {
     if (!face.pair.tied) continue;
-    face.tied = contact::tied_directions(face.surfaces, face.tie, contact.nodes.movable);
-    face.given_apart.resize(face.count());
+    face.start.tied = contact::tied_directions(face.surfaces, face.start.tie, contact.nodes.movable);
+    face.start.given_apart.resize(face.count());
     for (std::size_t row = 0; row < face.count(); ++row)
-      face.given_apart[row] = face.tie.covered[row] > 0 ? Mat3(Mat3::Identity() - face.tied[row]) : Mat3::Zero();
+      face.start.given_apart[row] =
+          face.start.tie.covered[row] > 0 ? Mat3(Mat3::Identity() - face.start.tied[row]) : Mat3::Zero();
   }
 }
 
@@ -53,7 +54,7 @@ std::vector<std::uint8_t> with_several_rows(const MortarContact& contact, std::v
   for (const Interface& face : contact.interfaces)
     for (std::size_t row = 0; face.presses() && face.is_exact() && row < face.count(); ++row) {
       const auto node = static_cast<std::size_t>(face.surfaces.rows[row]);
-      if (face.active[row] != 0 && rows[node]++ > 0) shared[node] = 1;
+      if (face.iterate.active[row] != 0 && rows[node]++ > 0) shared[node] = 1;
     }
   return shared;
 }
@@ -156,7 +157,7 @@ void leave_out_implied(const comm::Communicator& ranks, const MortarContact& con
     for (contact::RowLine& line :
          contact::lines_to_look_at(equations[k], {contact.nodes.gid, contact.nodes.movable, shared})) {
       const bool first = equations[k].preferred.empty() || equations[k].preferred[line.row] != 0;
-      const Turn turn{first ? 0 : 1, static_cast<GlobalIndex>(k), contact.interfaces[k].place[line.row]};
+      const Turn turn{first ? 0 : 1, static_cast<GlobalIndex>(k), contact.interfaces[k].numbering.place[line.row]};
       own.push_back({turn, k, std::move(line)});
     }
   std::ranges::stable_sort(own, {}, &Own::turn);
@@ -195,10 +196,10 @@ void leave_out_redundant(const comm::Communicator& ranks, std::span<const Mat3> 
   for (std::size_t k = 0; k < equations.size(); ++k) {
     Interface& face = contact.interfaces[k];
     if (face.pair.tied)
-      face.tied = std::move(equations[k].held);
+      face.start.tied = std::move(equations[k].held);
     else if (face.is_exact())
       for (std::size_t row = 0; row < face.count(); ++row)
-        if (equations[k].held[row].isZero()) face.active[row] = 0;
+        if (equations[k].held[row].isZero()) face.iterate.active[row] = 0;
   }
 }
 

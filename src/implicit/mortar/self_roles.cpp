@@ -19,8 +19,8 @@ using contact::FacingPair;
 /// A flag for each row of this rank, followed by those of the rows beside. Collective.
 std::vector<char> pressed_rows(const Interface& face) {
   std::vector<double> own(face.count()), beside(face.surfaces.rows_elsewhere.size());
-  for (std::size_t row = 0; row < face.count(); ++row) own[row] = face.z[row] > 0 ? 1 : 0;
-  face.beside.forward(own, beside, 1);
+  for (std::size_t row = 0; row < face.count(); ++row) own[row] = face.iterate.z[row] > 0 ? 1 : 0;
+  face.numbering.beside.forward(own, beside, 1);
   std::vector<char> pressed;
   for (const std::vector<double>* rows : {&own, &beside})
     for (const double value : *rows) pressed.push_back(value > 0 ? 1 : 0);

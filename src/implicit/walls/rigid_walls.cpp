@@ -36,7 +36,7 @@ void look_at_nearest(const model::Model& model, const WallContact& walls, const 
   for (std::int32_t k = 0; k < node.count; ++k) {
     const std::int32_t entry = node.first + k;
     const auto w = static_cast<std::size_t>(nth(walls.wall, entry));
-    by_gap.emplace_back(model.walls[w].normal.dot(x) - walls.place[w], k);
+    by_gap.emplace_back(model.touching.walls[w].normal.dot(x) - walls.place[w], k);
   }
   std::ranges::sort(by_gap);
   node.looked_at = std::min(node.count, static_cast<std::int32_t>(WallChoice::most));
@@ -50,7 +50,7 @@ double depth_behind(const model::Model& model, const WallContact& walls, const W
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
     const auto entry = static_cast<std::size_t>(node.kept[k]);
     const auto w = static_cast<std::size_t>(walls.wall[entry]);
-    if (walls.holds[entry] == 0) depth = std::max(depth, walls.place[w] - model.walls[w].normal.dot(x));
+    if (walls.holds[entry] == 0) depth = std::max(depth, walls.place[w] - model.touching.walls[w].normal.dot(x));
   }
   return depth;
 }
@@ -60,7 +60,7 @@ WallChoice first_choice(const model::Model& model, const WallContact& walls, con
   WallChoice choice;
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
     const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
-    choice.active[k] = model.walls[w].normal.dot(x) - walls.place[w] <= walls.touching;
+    choice.active[k] = model.touching.walls[w].normal.dot(x) - walls.place[w] <= walls.touching;
   }
   return choice;
 }
@@ -69,24 +69,24 @@ WallChoice first_choice(const model::Model& model, const WallContact& walls, con
 
 WallContact make_walls(const model::Model& model, const Unknowns& unknowns, double spacing) {
   WallContact walls;
-  if (model.walls.empty()) return walls;
+  if (model.touching.walls.empty()) return walls;
   walls.touching = touching_share * spacing;
-  for (const model::RigidWall& wall : model.walls) walls.place.push_back(place_of(wall, 0));
-  walls.impulse.assign(3 * model.walls.size(), 0.0);
+  for (const model::RigidWall& wall : model.touching.walls) walls.place.push_back(place_of(wall, 0));
+  walls.impulse.assign(3 * model.touching.walls.size(), 0.0);
   walls.force = walls.impulse;
   std::vector<std::vector<char>> acts;
-  for (const model::RigidWall& wall : model.walls) acts.push_back(acts_on_nodes(model, wall));
+  for (const model::RigidWall& wall : model.touching.walls) acts.push_back(acts_on_nodes(model, wall));
   walls.node_of.assign(unknowns.node.size(), no_index);
   for (std::size_t own = 0; own < unknowns.node.size(); ++own) {
     const auto i = static_cast<std::size_t>(unknowns.node[own]);
     WallNode node;
     node.own = own;
     node.first = static_cast<std::int32_t>(walls.wall.size());
-    for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    for (std::size_t w = 0; w < model.touching.walls.size(); ++w) {
       if (acts[w][i] == 0) continue;
-      const double gap = model.walls[w].normal.dot(of(model.reference[i])) - walls.place[w];
+      const double gap = model.touching.walls[w].normal.dot(of(model.reference[i])) - walls.place[w];
       walls.wall.push_back(static_cast<std::int32_t>(w));
-      walls.holds.push_back(model.walls[w].bilateral && std::abs(gap) <= walls.touching ? 1 : 0);
+      walls.holds.push_back(model.touching.walls[w].bilateral && std::abs(gap) <= walls.touching ? 1 : 0);
     }
     node.count = static_cast<std::int32_t>(walls.wall.size()) - node.first;
     if (node.count == 0) continue;
@@ -98,8 +98,8 @@ WallContact make_walls(const model::Model& model, const Unknowns& unknowns, doub
 
 void begin_walls(const model::Model& model, const model::State& state, const Unknowns& unknowns, double time_before,
                  double time, WallContact& walls) {
-  for (std::size_t w = 0; w < model.walls.size(); ++w)
-    walls.place[w] = place_of(model.walls[w], state.wall_position[w]);
+  for (std::size_t w = 0; w < model.touching.walls.size(); ++w)
+    walls.place[w] = place_of(model.touching.walls[w], state.wall_position[w]);
   walls.first = true;
   for (WallNode& node : walls.nodes) {
     const auto i = static_cast<std::size_t>(unknowns.node[node.own]);
@@ -110,8 +110,9 @@ void begin_walls(const model::Model& model, const model::State& state, const Unk
     node.action = {};
     node.tied.setZero();
   }
-  for (std::size_t w = 0; w < model.walls.size(); ++w)
-    if (model.walls[w].moves) walls.place[w] += model::integral(model.walls[w].motion, time_before, time);
+  for (std::size_t w = 0; w < model.touching.walls.size(); ++w)
+    if (model.touching.walls[w].moves)
+      walls.place[w] += model::integral(model.touching.walls[w].motion, time_before, time);
 }
 
 const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size_t own, WallQuestion question,
@@ -124,7 +125,7 @@ const WallAction* meet_walls(const model::Model& model, const Vec3& x, std::size
   for (std::size_t k = 0; k < count; ++k) {
     const auto entry = static_cast<std::size_t>(node.kept[k]);
     const auto w = static_cast<std::size_t>(walls.wall[entry]);
-    const model::RigidWall& wall = model.walls[w];
+    const model::RigidWall& wall = model.touching.walls[w];
     meetings[k] = {wall.normal, wall.normal.dot(x) - walls.place[w], wall.friction.fixed, walls.holds[entry] != 0};
   }
   node.behind = depth_behind(model, walls, node, x);
@@ -168,7 +169,7 @@ WallForces forces_of(const model::Model& model, const WallContact& walls, std::s
   const WallNode& node = nth(walls.nodes, index);
   for (std::int32_t k = 0; k < node.looked_at; ++k) {
     const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
-    forces.normal += node.action.pressure[k] * model.walls[w].normal;
+    forces.normal += node.action.pressure[k] * model.touching.walls[w].normal;
   }
   forces.friction = node.action.friction;
   return forces;
@@ -186,7 +187,8 @@ void keep_walls(const comm::Communicator& ranks, const model::Model& model, doub
     for (std::int32_t k = 0; k < node.looked_at; ++k) {
       const auto w = static_cast<std::size_t>(nth(walls.wall, node.kept[k]));
       const double pressure = node.action.pressure[k];
-      for (std::size_t c = 0; c < 3; ++c) sums[3 * w + c].add(pressure * model.walls[w].normal[static_cast<int>(c)]);
+      for (std::size_t c = 0; c < 3; ++c)
+        sums[3 * w + c].add(pressure * model.touching.walls[w].normal[static_cast<int>(c)]);
       if (pressure <= largest) continue;
       largest = pressure;
       pushes = w;

@@ -51,25 +51,23 @@ model::ElementBlock build_block(const Part& part, const Input& input, const mesh
   block.bulk = part.bulk;
   block.erosion = part.erosion;
   block.shape = source.shape;
-  block.corners = mesh::nodes_per_element(source.shape);
   block.count = static_cast<LocalIndex>(source.gid.size());
   block.gid = source.gid;
   block.input = source.input;
-  block.node = batched(source.nodes, block.corners, block.count);
+  block.node = batched(source.nodes, block.corners(), block.count);
   return block;
 }
 
 void build_dead_loads(const Input& input, model::Model& model) {
   const auto add = [&](const DeadLoad& entry, const std::string& set) {
     model::DeadLoad load;
-    load.value = entry.value;
-    load.kind = static_cast<model::DeadLoad::Kind>(entry.kind);
+    static_cast<model::DeadForce&>(load) = entry;
     load.curve = curve_of(input, entry.curve);
     if (entry.kind == DeadLoad::Kind::each_node)
       load.nodes = model.mesh.node_sets.at(set);
     else
       load.faces = model.mesh.side_sets.at(set);
-    model.dead_loads.push_back(std::move(load));
+    model.loads.dead.push_back(std::move(load));
   };
   for (std::size_t k = 0; k < input.forces.size(); ++k) add(input.forces[k], selection_name("forces", k));
   for (std::size_t k = 0; k < input.traction.size(); ++k) add(input.traction[k], selection_name("traction", k));
@@ -85,7 +83,7 @@ void watch_nodes(const Input& input, model::Model& model) {
       watched.insert(watched.end(), nodes.begin(), nodes.end());
     }
   if (const auto set = model.mesh.node_sets.find(interface_set); set != model.mesh.node_sets.end()) {
-    model.between_parts = set->second;
+    model.between_parts.nodes = set->second;
     watched.insert(watched.end(), set->second.begin(), set->second.end());
   }
   std::ranges::sort(watched);
@@ -102,35 +100,33 @@ std::vector<std::int32_t> blocks_of_parts(const model::Model& model, const std::
 
 void build_loads(const Input& input, model::Model& model) {
   if (input.gravity) {
-    model.gravity = input.gravity->vector;
-    model.gravity_curve = curve_of(input, input.gravity->curve);
+    model.loads.gravity = input.gravity->vector;
+    model.loads.gravity_curve = curve_of(input, input.gravity->curve);
   }
-  if (input.damping) {
-    model.damping = input.damping->alpha;
-    model.damping_from = input.damping->from;
-    model.damping_to = input.damping->to;
-  }
+  if (input.damping) model.loads.damping = *input.damping;
   for (std::size_t k = 0; k < input.pressure.size(); ++k)
-    model.pressure.push_back({model.mesh.side_sets.at(selection_name("pressure", k)), input.pressure[k].value,
-                              curve_of(input, input.pressure[k].curve)});
+    model.loads.pressure.push_back({model.mesh.side_sets.at(selection_name("pressure", k)), input.pressure[k].value,
+                                    curve_of(input, input.pressure[k].curve)});
   build_dead_loads(input, model);
   model.relaxes = input.relaxation.has_value();
-  for (const RigidWall& wall : input.rigid_walls)
-    model.walls.push_back({wall.name, wall.point - model.mesh.origin, wall.normal.normalized(), wall.bilateral,
-                           curve_of(input, wall.motion), !wall.motion.empty(), wall.friction,
-                           blocks_of_parts(model, wall.parts)});
+  for (const RigidWall& wall : input.rigid_walls) {
+    model::RigidWall& built = model.touching.walls.emplace_back(model::RigidWall{
+        {wall}, curve_of(input, wall.motion), !wall.motion.empty(), blocks_of_parts(model, wall.parts)});
+    built.point -= model.mesh.origin;
+    built.normal.normalize();
+  }
 }
 
 /// Nodes that contact, walls or constraints may still change after the prediction. Those of rigid bodies follow.
 std::vector<LocalIndex> deferred_nodes(const model::Model& model) {
   std::vector<LocalIndex> deferred;
-  for (const model::ConstrainedNode& constrained : model.constrained) deferred.push_back(constrained.node);
-  if (model.contact.pairs.any_acts() || !model.walls.empty()) {
+  for (const contact::ConstrainedNode& constrained : model.supports.nodes) deferred.push_back(constrained.node);
+  if (model.touching.contact.pairs.any_acts() || !model.touching.walls.empty()) {
     const std::vector<LocalIndex>& surface = model.mesh.node_sets.at(surface_set);
     deferred.insert(deferred.end(), surface.begin(), surface.end());
-    deferred.insert(deferred.end(), model.uncovered.begin(), model.uncovered.end());
+    deferred.insert(deferred.end(), model.losses.uncovered.begin(), model.losses.uncovered.end());
   }
-  deferred.insert(deferred.end(), model.between_parts.begin(), model.between_parts.end());
+  deferred.insert(deferred.end(), model.between_parts.nodes.begin(), model.between_parts.nodes.end());
   std::ranges::sort(deferred);
   deferred.erase(std::unique(deferred.begin(), deferred.end()), deferred.end());
   for (const model::RigidBody& body : model.bodies)
@@ -160,12 +156,12 @@ void build_mortar(const Input& input, model::Model& model) {
     const auto same = [&](const contact::MortarPair& other) {  // a later entry takes precedence
       return std::minmax(other.slave, other.master) == std::minmax(pair.slave, pair.master);
     };
-    std::erase_if(model.mortar, same);
-    model.mortar.push_back(pair);
+    std::erase_if(model.touching.mortar, same);
+    model.touching.mortar.push_back(pair);
   }
-  if (model.mortar.empty()) return;
+  if (model.touching.mortar.empty()) return;
   for (std::size_t k = 0; k < input.symmetry.size(); ++k)
-    model.symmetries.push_back({input.symmetry[k].normal.normalized(), selected(model.mesh, "symmetry", k)});
+    model.touching.symmetries.push_back({input.symmetry[k].normal.normalized(), selected(model.mesh, "symmetry", k)});
 }
 
 }  // namespace
@@ -180,10 +176,10 @@ model::Model build_model(const Input& input, std::span<const std::size_t> part_o
   build_constraints(input, model);
   build_bodies(input, model);
   build_joints(input, model);
-  model.in_symmetry_plane = in_symmetry_plane(input, model.mesh, model.mesh.faces);
+  model.touching.in_symmetry_plane = in_symmetry_plane(input, model.mesh, model.mesh.faces);
   std::vector<std::string> part_of_block;
   for (const model::ElementBlock& block : model.blocks) part_of_block.push_back(block.part);
-  model.contact = contact_specification(input, part_of_block);
+  model.touching.contact = contact_specification(input, part_of_block);
   build_mortar(input, model);
   watch_nodes(input, model);
   build_removals(input, model);

@@ -38,18 +38,19 @@ void hold(const Input& input, const model::Model& model, HeldNodes& held, const 
   }
 }
 
-model::ConstrainedNode projector(LocalIndex node, const std::vector<Held>& held) {
-  model::ConstrainedNode constrained;
-  constrained.node = node;
+void add_node(LocalIndex node, const std::vector<Held>& held, model::Supports& supports) {
+  contact::ConstrainedNode constrained{.node = node};
+  std::array<std::int32_t, 3> drive{-1, -1, -1};
   for (const Held& one : held) {
     const Vec3 rest = constrained.free * one.direction;  // component not covered by earlier directions
     if (rest.norm() > 1e-9) constrained.free -= rest.normalized() * rest.normalized().transpose();
     if (one.drive >= 0)
       for (int c = 0; c < 3; ++c)
-        if (one.direction[c] != 0) nth(constrained.drive, c) = one.drive;
+        if (one.direction[c] != 0) nth(drive, c) = one.drive;
   }
   if (constrained.free.cwiseAbs().maxCoeff() < 1e-9) constrained.free.setZero();
-  return constrained;
+  supports.nodes.push_back(constrained);
+  supports.drive.push_back(drive);
 }
 
 }  // namespace
@@ -69,15 +70,15 @@ void build_constraints(const Input& input, model::Model& model) {
          {input.symmetry[k].normal.normalized(), -1, fmt::format("symmetry.{}", k)}, faults);
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& entry = input.prescribed[k];
-    model.drives.push_back({entry.curve.empty() ? model::Curve{} : input.curves.at(entry.curve), entry.scale,
-                            static_cast<model::Drive::Gives>(entry.gives)});
+    model.supports.drives.push_back(
+        {entry.curve.empty() ? model::Curve{} : input.curves.at(entry.curve), entry.scale, entry.gives});
     if (names_rigid_part(input, entry.where)) continue;
     hold(input, model, held, nodes("prescribed", k),
          {Vec3::Unit(entry.dof), static_cast<std::int32_t>(k), fmt::format("prescribed.{}", k)}, faults);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   for (const LocalIndex node : rigid_nodes(model.mesh)) held.erase(node);  // in planes of symmetry
-  for (const auto& [node, directions] : held) model.constrained.push_back(projector(node, directions));
+  for (const auto& [node, directions] : held) add_node(node, directions, model.supports);
 }
 
 }  // namespace brunt::scene

@@ -6,7 +6,7 @@
 
 namespace brunt::scene {
 
-/// Fills Model::constrained and Model::drives. Throws InputError for a node in two incompatible entries.
+/// Fills Model::supports.nodes and Model::supports.drives. Throws InputError for a node in two incompatible entries.
 void build_constraints(const Input& input, model::Model& model);
 
 }  // namespace brunt::scene

@@ -73,25 +73,26 @@ void build_removals(const Input& input, model::Model& model) {
     const Removal& entry = input.remove[k];
     const std::string part = part_of_selection(input, entry.where);
     const std::vector<LocalIndex>& nodes = model.mesh.node_sets.at(selection_name("remove", k));
-    model.uncovered.insert(model.uncovered.end(), nodes.begin(), nodes.end());
+    model.losses.uncovered.insert(model.losses.uncovered.end(), nodes.begin(), nodes.end());
     model::Removal removal{entry.at, entry.keeps_nodes, {}};
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       const mesh::LocalBlock& block = model.mesh.blocks[b];
       std::vector<LocalIndex>& elements = removal.elements.emplace_back();
       if ((!part.empty() && model.blocks[b].part != part) || material::is_rigid(model.blocks[b].law)) continue;
-      const auto corners = static_cast<std::size_t>(model.blocks[b].corners);
+      const auto corners = static_cast<std::size_t>(model.blocks[b].corners());
       for (LocalIndex e = 0; e < model.blocks[b].count; ++e)
         if (has_all(nodes, {&block.nodes[static_cast<std::size_t>(e) * corners], corners})) elements.push_back(e);
     }
-    model.removals.push_back(std::move(removal));
+    model.losses.removals.push_back(std::move(removal));
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
     if (model.blocks[b].erosion)
-      model.uncovered.insert(model.uncovered.end(), model.mesh.blocks[b].nodes.begin(),
-                             model.mesh.blocks[b].nodes.end());
-  std::ranges::stable_sort(model.removals, {}, &model::Removal::at);
-  std::ranges::sort(model.uncovered);
-  model.uncovered.erase(std::unique(model.uncovered.begin(), model.uncovered.end()), model.uncovered.end());
+      model.losses.uncovered.insert(model.losses.uncovered.end(), model.mesh.blocks[b].nodes.begin(),
+                                    model.mesh.blocks[b].nodes.end());
+  std::ranges::stable_sort(model.losses.removals, {}, &model::Removal::at);
+  std::ranges::sort(model.losses.uncovered);
+  model.losses.uncovered.erase(std::unique(model.losses.uncovered.begin(), model.losses.uncovered.end()),
+                               model.losses.uncovered.end());
 }
 
 }  // namespace brunt::scene

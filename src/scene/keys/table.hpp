@@ -32,6 +32,12 @@ Value<T> value(M T::*member, How... how) {
           .shown = [=](const T& target) { return shown(target.*member, how...); }};
 }
 
+/// Likewise a member that T inherits.
+template <class T, class M, class Base, class... How>
+Value<T> inherited(M Base::*member, How... how) {
+  return value(static_cast<M T::*>(member), how...);
+}
+
 /// A value with a reader of its own. `read` meets a missing key (`key.tree` is null) only if the key is required.
 template <class T>
 Value<T> special(const std::string& type, void (*read)(const Key&, T&),

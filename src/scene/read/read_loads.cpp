@@ -18,7 +18,7 @@ void judge_force(const Key& map, DeadLoad& load) {
   load.kind = has(map, "total") ? DeadLoad::Kind::total : DeadLoad::Kind::each_node;
 }
 
-void judge_damping(const Key& map, Damping& damping) {
+void judge_damping(const Key& map, model::Damping& damping) {
   if (damping.to <= damping.from)
     fault(at(map, "to"),
           fmt::format("invalid time {}: not later than from, {}; expected a later time", damping.to, damping.from));
@@ -42,9 +42,9 @@ const Table<DeadLoad> forces_keys{
     "{set: name, force: [x, y, z]}",
     joined(selection(&DeadLoad::where),
            {
-               {"force", value(&DeadLoad::value, Vector::any), "force",
+               {"force", inherited<DeadLoad>(&DeadLoad::value, Vector::any), "force",
                 "Force on each selected node. Its direction is constant (dead load).", "required, or `total`"},
-               {"total", value(&DeadLoad::value, Vector::any), "force",
+               {"total", inherited<DeadLoad>(&DeadLoad::value, Vector::any), "force",
                 "Force on the whole selection, distributed over its exterior faces by area.", "required, or `force`"},
                {"curve", value(&DeadLoad::curve, Named::curve), "-", "Factor over time.", "constant 1"},
            }),
@@ -56,7 +56,7 @@ const Table<DeadLoad> traction_keys{
     "{set: name, value: [x, y, z]}",
     {
         {"set", value(&DeadLoad::where, side_set), "-", "Name of a side set.", required},
-        {"value", value(&DeadLoad::value, Vector::any), "stress",
+        {"value", inherited<DeadLoad>(&DeadLoad::value, Vector::any), "stress",
          "Force by area of the initial configuration, of constant direction.", required},
         {"curve", value(&DeadLoad::curve, Named::curve), "-", "Factor over time.", "constant 1"},
     },
@@ -72,14 +72,14 @@ const Table<Gravity> gravity_keys{
     },
 };
 
-const Table<Damping> damping_keys{
+const Table<model::Damping> damping_keys{
     "damping",
     "a map {alpha: number, from: time, to: time}",
     {
-        {"alpha", value(&Damping::alpha, not_negative), "1/time",
+        {"alpha", value(&model::Damping::alpha, not_negative), "1/time",
          "Drag -alpha m v on every node; a free velocity decays with exp(-alpha t).", required},
-        {"from", value(&Damping::from, not_negative), "time", "Begin."},
-        {"to", value(&Damping::to, not_negative), "time", "End, later than `from`.", "end of the run"},
+        {"from", value(&model::Damping::from, not_negative), "time", "Begin."},
+        {"to", value(&model::Damping::to, not_negative), "time", "End, later than `from`.", "end of the run"},
     },
     judge_damping,
 };

@@ -15,7 +15,7 @@ extern const Table<Pressure> pressure_keys;
 extern const Table<DeadLoad> forces_keys;
 extern const Table<DeadLoad> traction_keys;
 extern const Table<Gravity> gravity_keys;
-extern const Table<Damping> damping_keys;
+extern const Table<model::Damping> damping_keys;
 extern const Table<Relaxation> relaxation_keys;
 extern const Table<Removal> removal_keys;
 extern const Table<Joint> joint_keys;

@@ -106,7 +106,7 @@ model::Model model_of(const Sheets& sheets, Rank rank, const std::vector<Rank>& 
   pair.master = 1;
   pair.choose_slave = false;
   pair.friction = sheets.friction;
-  model.mortar.push_back(pair);
+  model.touching.mortar.push_back(pair);
   return model;
 }
 
@@ -164,11 +164,11 @@ std::size_t segments_of_all(const Sheets& sheets, const std::vector<Vec3>& place
 GlobalIndex differing(const Contact& shared, const Contact& alone) {
   GlobalIndex count = 0;
   for (std::size_t row = 0; row < shared.face().count(); ++row) {
-    const auto all = static_cast<std::size_t>(shared.face().place[row]);
-    const bool same = shared.face().rows.gaps[row] == alone.face().rows.gaps[all] &&
-                      shared.face().rows.normals[row] == alone.face().rows.normals[all] &&
-                      shared.face().tractions[row] == alone.face().tractions[all] &&
-                      shared.face().active[row] == alone.face().active[all];
+    const auto all = static_cast<std::size_t>(shared.face().numbering.place[row]);
+    const bool same = shared.face().iterate.rows.gaps[row] == alone.face().iterate.rows.gaps[all] &&
+                      shared.face().iterate.rows.normals[row] == alone.face().iterate.rows.normals[all] &&
+                      shared.face().iterate.tractions[row] == alone.face().iterate.tractions[all] &&
+                      shared.face().iterate.active[row] == alone.face().iterate.active[all];
     count += same ? 0 : 1;
   }
   const ContactNodes &nodes = shared.contact.nodes, &all_nodes = alone.contact.nodes;
@@ -219,7 +219,7 @@ TEST_CASE("interfaces shared out over ranks are those of one rank, and complete 
       CHECK(given_in_step(shared.contact) == given_in_step(alone.contact));
       told += before == shared.contact.nodes.x_told ? 0 : 1;
       segments += shared.contact.counts.segments;
-      for (const contact::FrictionState state : shared.face().states)
+      for (const contact::FrictionState state : shared.face().iterate.states)
         sliding += state == contact::FrictionState::slip ? 1 : 0;
       if (share != 0.35) {
         keep_contact(shared.contact);

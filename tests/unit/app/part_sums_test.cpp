@@ -87,10 +87,10 @@ TEST_CASE("parts: also where they share nodes, whose work is booked element by e
       "parts: {low: {material: m}, top: {material: m, element: hex8_full}}\n"
       "initial: [{part: top, velocity: [1, 0, -2]}]\nrun: {end: 1}\n";
   support::PreparedScene joined(scene + probes, "joined.msh", joined_cubes());
-  CHECK(joined.run->model.books_interface);
+  CHECK(joined.run->model.between_parts.booked);
   check_sums(joined, 40);
   support::PreparedScene without(scene, "joined.msh", joined_cubes());
-  CHECK_FALSE(without.run->model.books_interface);
+  CHECK_FALSE(without.run->model.between_parts.booked);
   CHECK(without.run->state.interface_work.empty());
 }
 

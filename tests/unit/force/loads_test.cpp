@@ -56,8 +56,8 @@ TEST_CASE("lumped mass: an element without volume in the reference is refused") 
 
 TEST_CASE("gravity: mass times acceleration times its curve, in place of what was there") {
   ElementBlockBench bench = unit_cube();
-  bench.model.gravity = {1, -2, 3};
-  bench.model.gravity_curve = {{0, 0}, {2, 1}};
+  bench.model.loads.gravity = {1, -2, 3};
+  bench.model.loads.gravity_curve = {{0, 0}, {2, 1}};
   bench.state.time = 0.5;
   for (std::size_t i = 0; i < 8; ++i) bench.state.nodes[i].mass = static_cast<double>(i + 1);
   bench.scratch.load.assign(8, Quad{9, 9, 9, 0});
@@ -70,7 +70,7 @@ TEST_CASE("gravity: mass times acceleration times its curve, in place of what wa
 
 TEST_CASE("pressure: a quarter of value times area on each corner, inwards, on the face as it is now") {
   ElementBlockBench bench = unit_cube();
-  bench.model.pressure = {{.faces = {top}, .value = 8, .curve = {{0, 1}, {1, 0.5}}}};
+  bench.model.loads.pressure = {{.faces = {top}, .value = 8, .curve = {{0, 1}, {1, 0.5}}}};
   bench.state.time = 1;
   std::vector<Quad> slots(4);
   force::pressure_forces(bench.model, bench.state, slots);
@@ -83,7 +83,7 @@ TEST_CASE("pressure: a quarter of value times area on each corner, inwards, on t
 TEST_CASE("pressure: triangles take thirds; a face whose element is gone takes nothing") {
   ElementBlockBench bench = unit_cube();
   const mesh::ExteriorFace triangle{.key = 9, .nodes = {4, 5, 7, no_index}};
-  bench.model.pressure = {{.faces = {triangle, top}, .value = 6, .curve = {}}};
+  bench.model.loads.pressure = {{.faces = {triangle, top}, .value = 6, .curve = {}}};
   bench.state.living.pressed = {{1, 0}};
   std::vector<Quad> slots(7, Quad{5, 5, 5, 0});
   force::pressure_forces(bench.model, bench.state, slots);
@@ -92,7 +92,7 @@ TEST_CASE("pressure: triangles take thirds; a face whose element is gone takes n
 
 TEST_CASE("pressure: corners have keys of their own, load by load") {
   ElementBlockBench bench = unit_cube();
-  bench.model.pressure = {{.faces = {top}, .value = 1, .curve = {}}, {.faces = {top}, .value = 2, .curve = {}}};
+  bench.model.loads.pressure = {{.faces = {top}, .value = 1, .curve = {}}, {.faces = {top}, .value = 2, .curve = {}}};
   const std::vector<force::PressureCorner> corners = force::pressure_corners(bench.model);
   REQUIRE(corners.size() == 8);
   for (std::size_t k = 1; k < 8; ++k) CHECK(corners[k].key > corners[k - 1].key);
@@ -106,7 +106,7 @@ TEST_CASE("dead loads: weight times value times curve is added, load by load; ar
   load.curve = {{0, 0}, {1, 2}};
   load.nodes = {1, 4};
   load.weight = {0.5, 3};
-  bench.model.dead_loads = {load, load};
+  bench.model.loads.dead = {load, load};
   bench.scratch.load[4] = Quad{1, 1, 1, 0};
   force::add_dead_loads(bench.model, 0.25, bench.scratch);  // the curve says 0.5 there
   CHECK((of(bench.scratch.load[1]) - Vec3(0.5, 0, 1)).norm() <= 1e-15);
@@ -119,9 +119,9 @@ TEST_CASE("dead loads: weight times value times curve is added, load by load; ar
 
 TEST_CASE("damping acts from its first time on, up to but without its last") {
   model::Model model;
-  model.damping = 5;
-  model.damping_from = 1;
-  model.damping_to = 2;
+  model.loads.damping.alpha = 5;
+  model.loads.damping.from = 1;
+  model.loads.damping.to = 2;
   for (const auto& [time, rate] : {std::pair{0.999, 0.0}, {1.0, 5.0}, {1.999, 5.0}, {2.0, 0.0}})
     CHECK(force::damping_rate(model, time) == rate);
 }

@@ -30,7 +30,7 @@ ElementBlockBench alone(ElementKind kind, const material::Law& law, const std::a
   ElementBlockBench bench(kind, law, cells);
   model::ElementBlock& block = bench.model.blocks[0];
   AlignedVector<LocalIndex> node;
-  for (int c = 0; c < block.corners; ++c)
+  for (int c = 0; c < block.corners(); ++c)
     for (int lane = 0; lane < pack_width; ++lane) node.push_back(block.corner_node(e, c));
   block.node = node;
   block.count = 1;
@@ -55,7 +55,7 @@ TEST_CASE("scatter: the force on a node is the sum of its elements' corner force
     for (LocalIndex e = 0; e < whole.block().count; ++e) {
       ElementBlockBench one = alone(kind, law, cells, e);
       const AlignedVector<Quad> own = forces_of(one);
-      for (int c = 0; c < whole.block().corners; ++c) {
+      for (int c = 0; c < whole.block().corners(); ++c) {
         const auto node = static_cast<std::size_t>(whole.block().corner_node(e, c));
         sum[node] += own[node];
       }

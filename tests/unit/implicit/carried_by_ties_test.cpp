@@ -36,7 +36,7 @@ TEST_CASE("a tie carries the slave's nodes of a seam on a floor, and its rows ar
     carried += node.tied.isApprox(Mat3(Vec3(0, 0, 1).asDiagonal())) ? 1 : 0;
   CHECK(carried == 4);
   for (std::size_t row = 0; row < face.count(); ++row)
-    if (face.tie.covered[row] > 0) CHECK(face.tied[row].isIdentity(1e-12));
+    if (face.start.tie.covered[row] > 0) CHECK(face.start.tied[row].isIdentity(1e-12));
   for (std::size_t k = 0; k < contact.nodes.lasting; ++k) {
     const bool slave = std::ranges::binary_search(face.surfaces.rows, static_cast<LocalIndex>(k));
     const bool on_floor = contact.nodes.reference[k][2] == 0;

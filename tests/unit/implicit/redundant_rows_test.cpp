@@ -18,11 +18,12 @@ TEST_CASE("rows of contact that no node can follow have no multiplier") {
   const auto pressed = [&] {  // rows of nodes of edges yield to others
     std::ptrdiff_t count = 0;
     for (const Interface& face : contact.interfaces)
-      if (!face.of_points) count += std::ranges::count(face.active, std::uint8_t{1});
+      if (!face.of_points) count += std::ranges::count(face.iterate.active, std::uint8_t{1});
     return count;
   };
   for (Interface& face : contact.interfaces)
-    for (std::size_t row = 0; row < face.count(); ++row) face.active[row] = face.rows.covered[row] > 0 ? 1 : 0;
+    for (std::size_t row = 0; row < face.count(); ++row)
+      face.iterate.active[row] = face.iterate.rows.covered[row] > 0 ? 1 : 0;
   const auto all = pressed();
   REQUIRE(all == 16);
   leave_out_redundant(body.links.ranks, contact.nodes.free, contact);

@@ -29,7 +29,7 @@ struct Nodes {
     model.blocks[1].node = {2};
   }
   void add_wall(const Vec3& point, const Vec3& normal, std::vector<std::int32_t> blocks = {}, bool bilateral = false) {
-    model.walls.push_back({"w", point, normal, bilateral, {}, false, {}, std::move(blocks)});
+    model.touching.walls.push_back({{"w", point, normal, bilateral, {}}, {}, false, std::move(blocks)});
     state.wall_position.push_back(0);
   }
 };
@@ -66,8 +66,8 @@ TEST_CASE("walls act on nodes of their parts; what touches at t_n is pressed at 
 TEST_CASE("a wall in motion is at its place at the end of the step", "[oracle]") {
   Nodes nodes;
   nodes.add_wall({0, 0, -1}, {0, 0, 1});
-  nodes.model.walls[0].moves = true;
-  nodes.model.walls[0].motion = {{0, 0}, {2, 4}};  // velocity 2 t
+  nodes.model.touching.walls[0].moves = true;
+  nodes.model.touching.walls[0].motion = {{0, 0}, {2, 4}};  // velocity 2 t
   nodes.state.wall_position[0] = 0.25;
   WallContact walls = make_walls(nodes.model, nodes.unknowns, 1.0);
   begin_walls(nodes.model, nodes.state, nodes.unknowns, 0.5, 1.0, walls);
@@ -81,5 +81,6 @@ TEST_CASE("of many walls the three nearest are looked at", "[oracle]") {
   begin_walls(nodes.model, nodes.state, nodes.unknowns, 0, 1, walls);
   CHECK(walls.nodes[0].looked_at == 3);
   for (const std::int32_t kept : walls.nodes[0].kept)
-    CHECK(nodes.model.walls[static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(kept)])].point[2] >= -2);
+    CHECK(nodes.model.touching.walls[static_cast<std::size_t>(walls.wall[static_cast<std::size_t>(kept)])].point[2] >=
+          -2);
 }

@@ -171,6 +171,11 @@ Matrix ball(double volume) {
   return std::cbrt(volume) * Matrix::Identity();
 }
 
+/// The pressure at a state: that of a step without a change of volume.
+Pack pressure_at(const material::PressureLaw& eos, Pack volume, Pack energy) {
+  return eos.close(volume, Pack{}, Pack{}, energy, PackMask{}).pressure;
+}
+
 }  // namespace
 
 TEST_CASE("Mie-Gruneisen: states on the Hugoniot have its pressure", "[oracle]") {
@@ -184,7 +189,7 @@ TEST_CASE("Mie-Gruneisen: states on the Hugoniot have its pressure", "[oracle]")
     const Metal law = shocked(density, c, s, gamma);
     const material::PressureLaw eos(*law.eos, density);
     const Pack J = broadcast(density / behind);
-    CHECK(eos.pressure_at(J, broadcast(energy * density))[0] == Approx(pressure * 1e9).epsilon(1e-10));
+    CHECK(pressure_at(eos, J, broadcast(energy * density))[0] == Approx(pressure * 1e9).epsilon(1e-10));
   }
 }
 
@@ -193,7 +198,7 @@ TEST_CASE("slow compression follows the isentrope to 1e-6, of second order in th
   const Metal law = shocked(8930, 3940, 1.489, 1.99);
   const material::PressureLaw eos(*law.eos, law.density);
   const double end = 0.8;
-  const auto p = [&](double J, double e) { return eos.pressure_at(broadcast(J), broadcast(e))[0]; };
+  const auto p = [&](double J, double e) { return pressure_at(eos, broadcast(J), broadcast(e))[0]; };
   double e = 0;
   const int fine = 20000;
   const double h = (end - 1) / fine;
@@ -227,12 +232,12 @@ TEST_CASE("the bulk modulus is the slope of the isentrope", "[oracle]") {
       const double e = 2e9, dJ = 1e-6;
       const auto after = [&](double change) {
         return eos
-            .close(broadcast(J + change), broadcast(change), eos.pressure_at(broadcast(J), broadcast(e)), broadcast(e),
+            .close(broadcast(J + change), broadcast(change), pressure_at(eos, broadcast(J), broadcast(e)), broadcast(e),
                    PackMask{})
             .pressure[0];
       };
       const double slope = -J * (after(dJ) - after(-dJ)) / (2 * dJ);
-      const Pack pressure = eos.pressure_at(broadcast(J), broadcast(e));
+      const Pack pressure = pressure_at(eos, broadcast(J), broadcast(e));
       CHECK(eos.bulk_modulus(broadcast(J), pressure, broadcast(e))[0] == Approx(slope).epsilon(1e-6));
     }
   }

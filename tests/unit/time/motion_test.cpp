@@ -123,7 +123,7 @@ TEST_CASE("central differences: work of a force is its impulse times the mean of
 
 TEST_CASE("central differences: damping on the mean velocity lets it decay by (1 - a) / (1 + a), and books the loss") {
   Nodes point({2.0});
-  point.model.damping = 1;
+  point.model.loads.damping.alpha = 1;
   point.scratch.load.assign(1, Quad{});
   point.state.load_work.assign(1, 0);
   point.state.damping_work.assign(1, 0);

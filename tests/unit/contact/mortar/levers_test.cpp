@@ -34,6 +34,16 @@ std::vector<TwoSurfaces> configurations() {
   return all;
 }
 
+/// forces[K] += z_A l_AK over all rows [force].
+void add_lever_forces(const NodeBlocks<Vec3>& levers, std::span<const double> z, std::span<Vec3> forces) {
+  for (std::size_t row = 0; row < z.size(); ++row) {
+    if (z[row] == 0) continue;
+    const auto index = static_cast<LocalIndex>(row);
+    const std::span<const LocalIndex> nodes = levers.nodes.row(index);
+    for (std::size_t k = 0; k < nodes.size(); ++k) nth(forces, nodes[k]) += z[row] * levers.row(index)[k];
+  }
+}
+
 /// Of the last evaluation, at the pressures z; penalty: their stiffness, or 0.
 std::vector<Vec3> forces_of(const TwoSurfaces& two, Evaluation& evaluation, std::span<const double> z, double penalty,
                             NodeBlocks<Vec3>& levers) {

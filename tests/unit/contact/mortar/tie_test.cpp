@@ -47,6 +47,19 @@ std::vector<Vec3> some_tractions(std::size_t rows) {
   return tractions;
 }
 
+/// forces[K] += (w_AK 1 + lever_AK)^T T_A; T: the tractions on the slave [force/length^2].
+void add_tie_forces(const TieStart& start, const NodeBlocks<Mat3>& levers, std::span<const Vec3> tractions,
+                    std::span<Vec3> forces) {
+  for (std::size_t row = 0; row < tractions.size(); ++row) {
+    const auto index = static_cast<LocalIndex>(row);
+    const std::span<const LocalIndex> nodes = start.weights.nodes.row(index), turned = levers.nodes.row(index);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      nth(forces, nodes[k]) += start.weights.row(index)[k] * tractions[row];
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      nth(forces, turned[k]) += levers.row(index)[k].transpose() * tractions[row];
+  }
+}
+
 /// Forces of a step from x_before to x, or at x alone if x_before is empty.
 std::vector<Vec3> forces_of(const TwoSurfaces& two, const MortarTopology& topology, const TieStart& start,
                             std::span<const Vec3> x_before, std::span<const Vec3> x) {
