@@ -12,8 +12,8 @@ namespace brunt::contact {
 class ImpulseGrid {
  public:
   explicit ImpulseGrid(const BinGrid& grid) : coarse_(Quad{} + grid.anchor[0]), fine_(Quad{} + grid.anchor[1]) {}
-  void add(const Vec3& impulse, double* parts) const {
-    const Quad term{impulse[0], impulse[1], impulse[2], 0};
+  void add(const Vec3& impulse, double* parts) const { add(Quad{impulse[0], impulse[1], impulse[2], 0}, parts); }
+  void add(const Quad& term, double* parts) const {
     const Quad coarse = (term + coarse_) - coarse_, rest = term - coarse;
     add_to(parts, coarse);
     add_to(parts + 4, (rest + fine_) - fine_);

@@ -34,8 +34,8 @@ class Iteration {
         impulses_(impulses),
         velocity_(velocity),
         scratch_(scratch) {
-    scratch.previous.assign(impulses.begin(), impulses.end());
-    scratch.missing.assign(impulses.size(), Vec3::Zero());
+    scratch.packed.lay(system.rows, scratch.diagonal, scratch.compliance, scratch.borne, impulses);
+    take_velocities();
   }
 
   /// term_size: bound of the terms of s.Hs; 0 for the first iterate, which has no change.
@@ -46,6 +46,8 @@ class Iteration {
   void reset();
 
  private:
+  void take_velocities() { scratch_.packed.take_velocities(velocity_.first(system_.motion.size())); }
+
   const System& system_;
   bool coupled_;
   Exchange& exchange_;
@@ -54,32 +56,10 @@ class Iteration {
 };
 
 Judgement Iteration::judge(double term_size) {
-  std::array<double, 6> largest{0, 0, 0, 0, coupled_ ? 1.0 : 0.0, 0};
-  std::array<std::int64_t, 3> sums{};
   const FixedUnit unit(term_size);
-  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
-    const double h = scratch_.diagonal[q];
-    if (!(h > 0)) continue;  // nothing in this row can move
-    const RowLaw& law = system_.rows.laws[q];
-    Vec3 missing = missing_rate(law, relative_velocity(system_.rows, q, velocity_));
-    if (law.softness > 0) missing += scratch_.borne[q] - scratch_.compliance[q] * impulses_[q];
-    if (term_size > 0) {
-      const Vec3 change = impulses_[q] - scratch_.previous[q], a_change = scratch_.missing[q] - missing;
-      sums[0] += unit.of(h * change.squaredNorm());
-      sums[1] += unit.of(change.dot(a_change));
-      sums[2] += unit.of(a_change.squaredNorm() / h);
-    }
-    scratch_.missing[q] = missing;
-    const Vec3 next = admitted(law, impulses_[q] + missing / h);
-    const double step = (next - impulses_[q]).norm();
-    const double slope = law.across == Across::rubs ? std::hypot(1.0, law.friction) : law.share;
-    const double rise = law.cone == Cone::compression ? std::max(0.0, law.normal.dot(missing)) : missing.norm();
-    keep_max(largest[5], velocity_[system_.rows.leader(q)].cwiseAbs().maxCoeff());
-    keep_max(largest[0], h * step - law.noise);
-    keep_max(largest[1], h * step * step);
-    keep_max(largest[2], slope * impulses_[q].norm() + law.lagging);
-    keep_max(largest[3], slope * rise / h);
-  }
+  const RowsSeen here = scratch_.packed.judge(system_.rows, term_size > 0 ? &unit : nullptr);
+  std::array<double, 6> largest{here.residual, here.energy, here.impulse, here.rise, coupled_ ? 1.0 : 0.0, here.speed};
+  std::array<std::int64_t, 3> sums{here.change_h_change, here.change_a_change, here.a_change_a_change};
   exchange_.reduce(largest, sums);
   demand_finite(largest[0] + largest[2]);
   return {largest[0], largest[1],          largest[2],          largest[3],         largest[4] > 0,
@@ -87,19 +67,16 @@ Judgement Iteration::judge(double term_size) {
 }
 
 void Iteration::advance(const Judgement& now, double length) {
-  for (std::size_t q = 0; q < system_.rows.size(); ++q) {
-    const double h = scratch_.diagonal[q];
-    scratch_.previous[q] = impulses_[q];
-    impulses_[q] =
-        h > 0 ? admitted(system_.rows.laws[q], impulses_[q] + length / h * scratch_.missing[q]) : Vec3::Zero();
-  }
+  scratch_.packed.advance(length, impulses_);
   apply_impulses(system_, impulses_, now.impulse + length * now.rise, exchange_, velocity_, scratch_);
+  take_velocities();
 }
 
 void Iteration::reset() {
   std::ranges::fill(impulses_, Vec3::Zero());
-  std::ranges::fill(scratch_.previous, Vec3::Zero());
+  scratch_.packed.reset();
   take_prediction(system_, velocity_);
+  take_velocities();
 }
 
 /// At least 1, since H bounds G W G^T. The choice between the two quotients has no period (steps of the golden section

@@ -136,14 +136,21 @@ void lay_impulses(const System& system, std::span<const Vec3> impulses, double l
   scratch.impulse_parts.assign(system.motion.size() * impulse_width, 0.0);
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if (impulses[q].isZero(0)) continue;
-    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
-      grid.add(impulse_on_point(rows, q, k, impulses[q]), &scratch.impulse_parts[rows.point(k) * impulse_width]);
+    const auto parts_of = [&](std::size_t k) { return &scratch.impulse_parts[rows.point(k) * impulse_width]; };
+    if (rows.laws[q].turns) [[unlikely]] {
+      for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
+        grid.add(impulse_on_point(rows, q, k, impulses[q]), parts_of(k));
+      continue;
+    }
+    const Quad impulse{impulses[q][0], impulses[q][1], impulses[q][2], 0};
+    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) grid.add(rows.weights[k] * impulse, parts_of(k));
   }
 }
 
 Vec3 answer(const System& system, std::size_t node, const Vec3& impulse) {
   const Mobility& mobility = system.mobility[node];
-  return system.mobility_scale * mobility.inverse_mass * (mobility.projector * impulse);
+  const double inverse_mass = system.mobility_scale * mobility.inverse_mass;
+  return mobility.is_free() ? Vec3(inverse_mass * impulse) : Vec3(inverse_mass * (mobility.projector * impulse));
 }
 
 /// v = v* + W G^T p, on owners.
@@ -189,6 +196,7 @@ void EnforcementScratch::reserve(std::size_t rows, std::size_t turning_rows, std
   row_sum.reserve(nodes);
   row_sum_parts.reserve(nodes * row_sum_width);
   impulse_parts.reserve(nodes * impulse_width);
+  packed.reserve(rows, nodes);
 }
 
 void EnforcementScratch::reserve_passes(std::size_t rows, std::size_t turning_rows) {

@@ -14,6 +14,7 @@
 #include "contact/data/exchange.hpp"
 #include "contact/data/row_matrix.hpp"
 #include "contact/enforcement/carried.hpp"
+#include "contact/enforcement/packed_rows.hpp"
 #include "core/binned_sum.hpp"
 
 namespace brunt::contact {
@@ -54,6 +55,7 @@ struct EnforcementScratch {
   std::vector<double> row_sum_parts;      ///< row_sum_width a node
   std::vector<double> impulse_parts;      ///< impulse_width a node, see impulse_of_node
   CarriedScratch carried;                 ///< of rigid bodies
+  PackedRows packed;                      ///< of iterations by row sums and by Barzilai-Borwein steps
 
   RowMatrix matrix;                        ///< of the rows of the step
   RowMatrix pass_rows;                     ///< of two passes, the one being solved
