@@ -210,13 +210,14 @@ run: {{end: 1}}
             for friction in (0, 0.2):
                 for slave in ("wedge", "cheek"):
                     with self.subTest(angle=angle, friction=friction, slave=slave):
-                        if angle == 45 and slave == "cheek":  # missed: contact gives most of the energy, and the guard stops the run
+                        missed, corners = 0.01, ""
+                        if angle >= 15 and slave == "cheek":  # missed: contact gives most of the energy, and the guard stops the run
                             self.assertIn("energy dissipated by contact", self.go(self.wedge(angle, friction, slave), code=3))
-                            continue
-                        row = self.judged(self.wedge(angle, friction, slave))[-1]
+                            missed, corners = 0.06 if angle == 45 else 0.01, ", edges: true"
+                        row = self.judged(self.wedge(angle, friction, slave + corners))[-1]
                         self.assertAlmostEqual(row["lid.z"], -row["c.z"], delta=1e-8 * abs(row["lid.z"]))
                         part = math.sin(math.radians(angle)) + friction * math.cos(math.radians(angle))
-                        self.assertAlmostEqual(row["c.z"] / row["c.normal"] / part, 1, delta=0.01)
+                        self.assertAlmostEqual(row["c.z"] / row["c.normal"] / part, 1, delta=missed)
 
     def test_press_fits(self):
         for shaft, hub, slave, tight, error in ((48, 48, "", 0.03, 0.01), (96, 120, "shaft", 0.06, 0.02), (96, 120, "hub", 0.06, 0.02)):
