@@ -148,7 +148,7 @@ def read_exodus(content):
     nodes = dict(enumerate(zip(*(file.values("coord" + axis) for axis in "xyz")), 1))
     cubes = []
     for block in range(1, file.size("num_el_blk") + 1):
-        if file.values("eb_status")[block - 1] == 0:
+        if "eb_status" in file.variables and file.values("eb_status")[block - 1] == 0:  # without it all blocks are in use
             continue
         kind = file.variables[f"connect{block}"][1]["elem_type"]
         if not kind.upper().startswith(b"HEX") or file.size(f"num_nod_per_el{block}") != 8:

@@ -72,7 +72,7 @@ def distances_to_triangles(points, a, b, c):
 
 
 class Body:
-    """One part: its elements, exterior faces, surface nodes and edges."""
+    """A connected piece of a part: its elements, exterior faces, surface nodes and edges."""
 
     def __init__(self, name, connectivity, coordinates):
         self.name, self.elements = name, connectivity
@@ -119,6 +119,18 @@ class Body:
         return found
 
 
+def connected(connectivity):
+    """The elements in pieces that share no node."""
+    label = numpy.arange(connectivity.max() + 1)
+    while True:
+        least = label[connectivity].min(axis=1)
+        before = label.copy()
+        numpy.minimum.at(label, connectivity, least[:, None])
+        if (label == before).all():
+            break
+    return [connectivity[least == piece] for piece in numpy.unique(least)]
+
+
 def bodies_of(file):
     connectivity, coordinates = file["mesh/connectivity"][...], file["mesh/coordinates"][...]
     bodies = []
@@ -126,7 +138,8 @@ def bodies_of(file):
         block = file["mesh"][name].attrs
         first, count = int(block["first"]), int(block["count"])
         part = block["part"] if "part" in block else block["name"]
-        bodies.append(Body(part.decode() if isinstance(part, bytes) else str(part), connectivity[first:first + count], coordinates))
+        name = part.decode() if isinstance(part, bytes) else str(part)
+        bodies += [Body(name, piece, coordinates) for piece in connected(connectivity[first:first + count])]
     return coordinates, bodies
 
 
