@@ -90,7 +90,7 @@ class Pictures(Program):
         for told, *options in (("", "--clip", "z=0.25"), ("removes nothing", "--clip", "z=25"), ("removes all that is drawn", "--clip", "0,0,-25/0,0,1"),
                                ("--clip 9,0,0/1,0,0 removes nothing", "--clip", "z=0.25", "--clip", "9,0,0/1,0,0"),
                                ("removes nothing", "--hide", "rod", "--clip", "0,0,0.6/0,0,1"),
-                               ("removes", "--film", "--clip", "x=-3")):
+                               ("removes", "--film", "--clip", "x=-30")):
             done = self.script("render", "out", "-o", "x.gif" if "--film" in options else "x.png", "--size", "60", "50", *options)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(len(done.stderr.splitlines()), 1 if told else 0, done.stderr)
