@@ -6,6 +6,7 @@
 //   update(de, circumstances, stress, scalars)
 //   modulus(stress, scalars)        rho c^2 of pressure waves, for bulk viscosity
 //   tangent(stress, scalars, lambda, mu)
+//   at_volume        position of the relative volume among the scalars, or -1
 #pragma once
 #include "core/simd.hpp"
 

@@ -49,7 +49,7 @@ void refuse_other_scene(const std::string& path, const SceneIdentity& of_file, c
   if (different.size() > most) listed += fmt::format("; {} more keys differ", different.size() - most);
   throw InputError(
       fmt::format("{}: invalid for this scene: written by another one: {}; expected changes of title, output, history, "
-                  "checkpoint, guards, scaling, run.end, run.steps, run.min_step_ratio and run.wall_limit only",
+                  "checkpoint, guards, scaling, search, run.end, run.steps, run.min_step_ratio and run.wall_limit only",
                   path, listed));
 }
 

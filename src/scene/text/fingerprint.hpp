@@ -7,8 +7,8 @@
 
 namespace brunt::scene {
 
-/// A hash of the scene after overrides, without what a restart may change (run.end, run.steps, run.wall_limit, output,
-/// history, checkpoint, title). Empty for an invalid scene.
+/// A hash of the scene after overrides, without what a restart may change (`free_to_change` in fingerprint.cpp). Empty
+/// for an invalid scene.
 std::string fingerprint(const std::string& text, const std::string& file_name, std::span<const std::string> overrides);
 
 /// The same part of the scene as text, one line `key.path=value` for each value. Empty for an invalid scene.
