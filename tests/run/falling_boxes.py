@@ -27,6 +27,8 @@ def scene(seed, end=0.25, records=20):
     count = draw.randint(3, 5)
     # rubber meets slow bodies: all speeds of a scene have one scale
     kinds = [draw.choice(KINDS) for _ in range(count)]
+    if all(law == "ri" for law, _, _ in kinds):  # nothing would bound the step
+        kinds[0] = KINDS[1]
     slowest = min(kind[2] for kind in kinds)
     scale = slowest if slowest <= 100 else 400
     mesh, parts, initial = [], [], []
