@@ -120,7 +120,7 @@ class Netcdf:
     def text(self):
         length = self.integer()
         self.at += length + -length % 4
-        return self.content[self.at - length - -length % 4:][:length].decode()
+        return self.content[self.at - length - -length % 4:][:length].decode("latin-1")
 
     def attributes(self):
         found = {}
