@@ -230,7 +230,7 @@ class Named(Driven):
         self.assertEqual((self.summary("part")["steps"], self.summary("part")["state_hash"]), hashes[0])
 
 
-MISSED = {("masses", 280)}  # of 600: .0445 deep where .0390 are admitted (cases/LIMITS.md)
+MISSED = {("masses", 280): 1.5}  # of 600: stopped 1.43 times as deep as admitted (cases/LIMITS.md)
 
 
 class Varied(Driven):
@@ -263,7 +263,7 @@ class Varied(Driven):
         reference, parts, records = self.motion(name)
         self.assertLess(summary["energy"]["error_ratio"], 1e-10)
         travel = scene.speed * scene.step
-        bound = scene.limit + 2 * travel
+        bound = (scene.limit + 2 * travel) * MISSED.get((kind, seed), 1)
         for time, x, v in records:
             self.assertLess(self.deepest(reference, parts, x, scene.sizes), bound, f"t = {time}")
             for part in scene.free:  # a body between inclined sides slides out the faster the less they are inclined
@@ -284,8 +284,6 @@ class Varied(Driven):
 
     def test_masses(self):
         for seed in MASSES:
-            if ("masses", seed) in MISSED:
-                continue
             with self.subTest(seed=seed):
                 self.check(seed, driven_scenes.MASSES)
 

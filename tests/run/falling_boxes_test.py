@@ -31,6 +31,7 @@ rigid_walls: [{point: [0, 0, 0], normal: [0, 0, 1], friction: 0.2}]
 run: {end: 0.03}
 output: {every: 0.002, fields: [displacement]}
 """
+MISSED = {277: 0.008}  # of 300: .0295 of an element deep beside bent edges, told as .0108 (cases/LIMITS.md)
 
 
 class Falls(Program):
@@ -49,7 +50,8 @@ class Falls(Program):
             told = "leaves penetration" in log or "lost nodes" in log or "folded" in log
             self.assertTrue(told, message)
         if summary["folded_elements"] == 0:  # a folded element has no inside
-            self.assertGreaterEqual(summary["deepest_penetration"]["elements"], found.share * (1 - DIFFERENCE) - WARP, message)
+            least = found.share * (1 - DIFFERENCE) - WARP - MISSED.get(seed, 0)
+            self.assertGreaterEqual(summary["deepest_penetration"]["elements"], least, message)
         return found.share, summary["folded_elements"]
 
     def test_ten_falls(self):
@@ -76,13 +78,10 @@ class Falls(Program):
         self.assertEqual(len(found), 1, found)
 
 
-MISSED = {277}  # a node .03 of an element deep beside bent edges is told to be .011 deep (cases/LIMITS.md)
-
-
 class ManyFalls(Falls):
     def test_three_hundred_falls(self):
         deep = 0
-        for seed in set(ALL) - MISSED:
+        for seed in ALL:
             with self.subTest(seed=seed):
                 share, folds = self.judge(seed, 0.1, records=20)
                 deep += share > WARNED and folds == 0

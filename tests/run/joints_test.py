@@ -59,7 +59,7 @@ class Chain:
                                                             for k in range(self.count)},
                  "parts": {f"p{k}": {"material": f"m{k}"} for k in range(self.count)},
                  "initial": [{"part": f"p{k}", "velocity": shift, "rotation": spin} for k in range(self.count)],
-                 "joints": [joint for joint, _, _ in self.joints], "run": {"end": end, "step": step}, "history": {"every": end / 200}, "probes": []}
+                 "joints": [joint for joint, _, _ in self.joints], "run": {"end": end, "step": step}, "history": {"every": step}, "probes": []}
         if self.pinned:
             scene["gravity"] = {"vector": [0, 0, -9.81]}
         for k in range(self.count):
@@ -96,9 +96,11 @@ class Joints(SceneProgram):
                         self.same_momenta(chain, rows)
                     errors.append(self.energy_error(rows))
                     turn = step * max(math.hypot(*vector(row, f"w{k}")) for row in rows for k in range(chain.count))  # of the fastest
-                    self.assertLess(errors[-1], 10 * turn**2)  # 299 of 300 below 5, seed 122 at 8.4
+                    # of 61 chains below 4 but for two: 6.1, and 12 where heavy links whip a light one (seed 122: 12.09, 12.05, 12.06
+                    # with steps of 1, .5, .25 ms)
+                    self.assertLess(errors[-1], 15 * turn**2)
             if errors[0] > 1e-9:
-                self.assertLess(errors[1], 0.4 * errors[0], seed)  # of second order; seed 122: 0.355
+                self.assertLess(errors[1], 0.3 * errors[0], seed)  # of second order
 
     def same_momenta(self, chain, rows):
         for c in "xyz":
