@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -24,14 +25,37 @@ bool has_launcher() {
   return false;
 }
 
+/// Of Open MPI's own files, in a process without others; empty where it chose one itself.
+std::filesystem::path own_folder;
+
+void remove_own_folder() {
+  std::error_code ignored;
+  if (!own_folder.empty()) std::filesystem::remove_all(own_folder, ignored);
+  own_folder.clear();
+}
+
+/// A process without others needs neither networks nor Open MPI's daemon beside it, which take nine tenths of its
+/// start. Without the daemon all such processes would share one folder and names in shared memory: each has a folder of
+/// its own, and none uses shared memory. Settings of the user are kept.
+void start_alone() {
+  setenv("OMPI_MCA_pml", "ob1", 0);
+  if (getenv("OMPI_MCA_ess_singleton_isolated") || getenv("OMPI_MCA_orte_tmpdir_base")) return;
+  std::error_code failed;
+  std::string folder = (std::filesystem::temp_directory_path(failed) / "brunt.XXXXXX").string();
+  if (failed || mkdtemp(folder.data()) == nullptr) return;
+  own_folder = folder;
+  std::atexit(remove_own_folder);
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
+  setenv("OMPI_MCA_orte_tmpdir_base", folder.c_str(), 1);
+  setenv("OMPI_MCA_btl", "self", 1);
+}
+
 }  // namespace
 
 bool start_libraries(int& argc, char**& argv) {
   int runs = 0;
   MPI_Initialized(&runs);
-  // A process without others need not look for networks, which takes half of its start; settings of the user are kept.
-  // (Without Open MPI's daemon it would start faster still, but all such processes would share one session folder.)
-  if (runs == 0 && !has_launcher()) setenv("OMPI_MCA_pml", "ob1", 0);
+  if (runs == 0 && !has_launcher()) start_alone();
   if (runs == 0) demand(MPI_Init(&argc, &argv) == MPI_SUCCESS, "MPI starts");
   // PETSc gets neither the program's arguments nor the user's ~/.petscrc, which would change results
   std::string name = argc > 0 ? argv[0] : "brunt";
@@ -47,9 +71,11 @@ bool start_libraries(int& argc, char**& argv) {
 void end_libraries(bool mpi_too) {
   PetscFinalize();
   if (mpi_too) MPI_Finalize();
+  if (mpi_too) remove_own_folder();
 }
 
 void Session::abort(int exit_code) {
+  remove_own_folder();
   MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::_Exit(exit_code);
 }
