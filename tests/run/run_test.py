@@ -279,7 +279,11 @@ class Stops(Program):
 
     def test_a_checkpoint_newer_than_the_good_state_is_kept(self):
         self.write("guard.yaml", scenes.INVERTED_LATER)
-        self.run_scene(1, "guard.yaml", "--out", "out", "--set", "checkpoint.every=1.0e-9", code=3)
+        self.run_scene(1, "guard.yaml", "--out", "out", code=3)
+        good = self.checkpoints("out")
+        # the same end again, from the good state on: with a checkpoint at each step
+        self.run_scene(1, "guard.yaml", "--out", "out", "--restart", "out", "--set", "checkpoint.every=1.0e-9", code=3)
+        self.assertNotEqual(self.checkpoints("out"), good)
         steps = sorted(int(name[len("checkpoint_"):-len(".h5")]) for name in self.checkpoints("out"))
         # the guard stops in the pass over the state of the step before: that checkpoint is accepted by nothing
         self.assertGreaterEqual(steps[-1], self.summary("out")["steps"] - 2)
