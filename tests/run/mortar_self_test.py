@@ -14,7 +14,7 @@ from run_test import variants_asked
 from scene_program import SceneProgram
 from self_meshes import bellows, box, deck
 
-VARIANTS = 5
+VARIANTS = 3
 RUBBER = "materials: {rubber: {model: neo_hookean, density: 1.0e-3, young: 10, poisson: 0.3}}\n"
 
 # Two boxes, pressed on each other and then drawn along. PARTS: of one part or of two.
