@@ -3,7 +3,7 @@
 """Scenes of the cases, stopped on two ranks and continued on three, are the run on one rank that never stopped.
 
 usage: restart_test.py [--all] [--whole] [--scene WORD]
-    --all: all scenes of each case, not just as many as have together what the first of each case have
+    --all: all scenes of each case, with more steps, not just as many as have together what the first of each case have
     --whole: scenes to their end, stopped in the middle of contact and again shortly before it ends
     --scene: only those with the word in CASE/FILE
 Needs BRUNT, BRUNT_RUN (scripts/run) and BRUNT_CASES (the folder cases/) in the environment.
@@ -23,7 +23,8 @@ import yaml
 from scene_features import covering, features
 
 BRUNT, RUN, CASES = os.environ["BRUNT"], os.environ["BRUNT_RUN"], os.environ["BRUNT_CASES"]
-STEPS = 450  # of a run in short: nearly all cases have met their wall or each other by then
+STEPS = 450  # of a run in short, with --all: nearly all cases have met their wall or each other by then
+FEW_STEPS = 225  # the same without --all
 IMPLICIT_STEPS = 8  # the same of implicit scenes, whose steps are some hundred times as long and cost as much more
 MOST_STEPS = 3600  # of those that have not
 PATIENCE = 600  # [s] for one run
@@ -94,7 +95,7 @@ class Restart(unittest.TestCase):
 
     def run_whole(self, scene, tree, whole):
         """On one rank, in short as many steps as it takes until something touches, and as many again."""
-        limit = None if WHOLE else IMPLICIT_STEPS if tree.get("solver", "explicit") != "explicit" else STEPS
+        limit = None if WHOLE else IMPLICIT_STEPS if tree.get("solver", "explicit") != "explicit" else STEPS if ALL else FEW_STEPS
         self.run_scene(1, scene, whole, limit)
         while limit and limit < MOST_STEPS and meets(tree) and not self.touching(whole):
             limit *= 2
