@@ -161,6 +161,12 @@ TEST_CASE("a block slides over the seam of two beds of which one sags under it: 
 // 7; tetrahedra 0.09 and 2.2 h at 7. At 0.01 of sound, where the load counts, the block is thrown back (-0.86, -0.79 on
 // hexahedra, -0.84, -0.80 on tetrahedra) or slides along the step (0.14 and 0.09 at 45 degrees).
 TEST_CASE("a step of a tenth of an element in the reference configuration is no seam", "[law]") {
+  for (const double degrees : {0.0, 45.0}) check({.sag = 0.002, .step = 0.1, .speed = 0.01, .degrees = degrees});
+  check({.sag = 0.002, .step = 0.1, .speed = 0.1, .degrees = 7});
+  check({.sag = 0.002, .step = 0.1, .speed = 0.1, .degrees = 7, .tets = true});
+}
+
+TEST_CASE("a step of a tenth of an element is no seam: all angles and elements", "[.][long][law]") {
   for (const bool tets : {false, true})
     for (const double degrees : {0.0, 7.0, 45.0})
       check({.sag = 0.002, .step = 0.1, .speed = 0.01, .degrees = degrees, .tets = tets});
