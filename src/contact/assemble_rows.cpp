@@ -55,7 +55,8 @@ void assign_passes(const Contact& contact, double dt, std::span<Row> rows) {
   const DerivedSettings& derived = contact.derived;
   const double softness = where_remembered(derived.enforcement.softness, derived.enforcement);
   for (Row& row : rows) {
-    if (row.is_wall() || row.is_edge() || row.cone != Cone::compression) continue;  // ties hold in both
+    if (row.is_wall() || row.is_edge() || row.is_mortar() || row.cone != Cone::compression)
+      continue;  // ties hold in both
     row.pass = pass_of(row, contact.surface.node(surface_slave(contact, row)), lowest_gid_of_master(contact, row),
                        contact.settings.specification, contact.surface.bodies);
     if (row.slave_body != row.master_body && has_coincident_node(row, contact.step.nodes.motion, derived.detection))
@@ -72,7 +73,7 @@ void soften_rows_of_bodies(const StepInput& input, const Carriers& carriers, con
   if (carriers.bodies.empty() || softness == 0) return;
   for (Row& row : rows) {
     if (row.softness > 0 || row.cone != Cone::compression) continue;
-    const std::span<const LocalIndex> points(row.nodes.data(), static_cast<std::size_t>(row.node_count));
+    const std::span<const LocalIndex> points = row.points();
     const auto moves = [&](LocalIndex point) { return nth(nodes.mobility, point).inverse_mass > 0; };
     const auto is_carried = [&](LocalIndex point) { return carriers.of(point) != nullptr; };
     if (std::ranges::any_of(points, moves) || !std::ranges::any_of(points, is_carried)) continue;
@@ -96,12 +97,15 @@ void assign_friction(const Contact& contact, const StepInput& input, std::span<R
   const Tolerances& tolerances = *contact.derived.detection.tolerances;
   aim_at_anchors(rows, anchor_scene(contact, input.walls), contact.history.anchors,
                  {tolerances.recovery, tolerances.recovery_limit * contact.surface.mean_edge}, input.dt);
+  if (contact.derived.mortar)
+    aim_at_slips(rows, contact.history.mortar,
+                 {tolerances.recovery, tolerances.recovery_limit * contact.surface.mean_edge}, input.dt);
 }
 
 /// Rows of edges and walls have none: an edge has no area, and a wall's candidates no facets.
 void assign_slabs(const Contact& contact, std::span<Row> rows) {
   for (Row& row : rows) {
-    if (row.is_wall() || row.is_edge()) continue;
+    if (row.is_wall() || row.is_edge() || row.is_mortar()) continue;
     const std::vector<double>& impedance = contact.settings.blocks.impedance;
     const double one = nth(impedance, blocks_of_slave(contact, row).front()), two = nth(impedance, row.master_block);
     row.slab = one * two / (one + two) * area_of_slave(contact, row);
@@ -150,6 +154,9 @@ void remember(Contact& contact, const StepInput& input) {
   write_anchors(step.rows, step.impulses, scratch.slid, anchor_scene(contact, input.walls), contact.history.anchors,
                 scratch.next_anchors);
   std::swap(contact.history.anchors, scratch.next_anchors);
+  if (contact.derived.mortar)
+    keep_slips(step.rows, step.impulses, scratch.slid, input.dt, *contact.derived.detection.tolerances,
+               contact.history.mortar);
   write_limits(step.rows, step.impulses, input.dt, contact.history.limits);
 }
 

@@ -26,7 +26,8 @@ double unexplained(const Row& row, const BirthRecord& before, const BirthScene& 
   const Vec3 relative =
       relative_velocity(row, [&](LocalIndex node) -> const Vec3& { return nth(scene.motion, node).old_velocity; });
   const double was = std::max(0.0, before.depth - before.penetration);
-  return std::max(0.0, -row.gap - was - scene.dt * relative.norm());
+  const double motion = scene.only_approach ? std::max(0.0, -row.normal.dot(relative)) : relative.norm();
+  return std::max(0.0, -row.gap - was - scene.dt * motion);
 }
 
 /// One record a node and body: the deepest.

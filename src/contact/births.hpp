@@ -17,6 +17,7 @@ struct BirthScene {
   std::span<const NodeMotion> motion;
   double dt = 0;
   bool surface_is_new = false;  ///< elements have gone since rows were last found
+  bool only_approach = false;   ///< motion along a face explains no depth: mortar rows held mean gaps until now
 };
 
 /// The births of a step with these rows, whose gaps are measured from the previous `births`. A closed row of a face

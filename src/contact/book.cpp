@@ -32,9 +32,9 @@ Vec3 both_relative_velocities(const ContactNodes& nodes, const Row& row) {
 
 /// About the slave: the impulses on the nodes sum to zero.
 Vec3 spin_of(const ContactNodes& nodes, const Row& row, const Vec3& impulse) {
-  const auto place = [&](std::size_t i) -> const Vec3& { return nth(nodes.motion, row.nodes[i]).position; };
+  const auto place = [&](std::size_t i) -> const Vec3& { return nth(nodes.motion, row.points()[i]).position; };
   Vec3 spin = Vec3::Zero();
-  for (std::size_t i = 1; i < static_cast<std::size_t>(row.node_count); ++i)
+  for (std::size_t i = 1; i < row.points().size(); ++i)
     spin += (place(i) - place(0)).cross(impulse_on_node(row, i, impulse));
   return spin;
 }

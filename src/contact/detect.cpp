@@ -7,6 +7,7 @@
 #include "contact/births.hpp"
 #include "contact/detection/separation.hpp"
 #include "memory.hpp"
+#include "mortar_step.hpp"
 #include "tied_parts.hpp"
 
 namespace brunt::contact {
@@ -16,8 +17,8 @@ StepView view_of(const Contact& contact, double dt) {
   return {contact.lists.nodes.gid, contact.step.nodes.motion, dt, contact.derived.detection};
 }
 
-/// The ends of a slave edge may have their rows on other ranks.
-void detect_crossing_edges(const StepView& view, ContactLists& lists, StepData& step) {
+/// The ends of a slave edge may have their rows on other ranks. Returns how many rows there were before.
+std::size_t detect_crossing_edges(const StepView& view, ContactLists& lists, StepData& step) {
   std::vector<NodeHold>& holds = step.scratch.holds;
   holds.assign(lists.nodes.gid.size(), {});
   for (const Row& row : step.rows) {
@@ -25,11 +26,14 @@ void detect_crossing_edges(const StepView& view, ContactLists& lists, StepData& 
     if (hold.normal.isZero(0)) hold = {row.normal, static_cast<double>(row.master_body)};
   }
   lists.exchange.share(as_doubles(holds), hold_width);
+  const std::size_t before = step.rows.size();
   detect_edges(view, {lists.edges, step.scratch.detection.facet_normal, holds, step.nodes.reference}, step.rows);
+  return before;
 }
 
 double measured_separation(const Contact& contact, const StepInput& input) {
   const ContactLists& lists = contact.lists;
+  if (lists.mortar.any) return 0;  // weights are integrated as soon as faces are near
   const StepView view = view_of(contact, input.dt);
   double least = contact.tied.ties.empty() ? std::numeric_limits<double>::infinity() : 0.0;
   least = std::min(least, separation_of_faces(view, lists.candidates, contact.step.scratch.detection.reach));
@@ -51,14 +55,21 @@ void find_rows(Contact& contact, const StepInput& input) {
   const StepView view = view_of(contact, dt);
   ContactLists& lists = contact.lists;
   StepData& step = contact.step;
-  detect_faces(view, {lists.candidates, lists.faces, step.facet_area, contact.history.pairs, contact.history.births},
+  if (contact.derived.mortar) renew_mortar_rows(contact);
+  detect_faces(view,
+               {lists.candidates, lists.faces, step.facet_area, contact.history.pairs, contact.history.births,
+                step.held, step.surrounded},
                step.scratch.detection, step.rows);
-  if (contact.elements_are_gone) {
-    const BirthScene births{contact.history.pairs, step.nodes.motion, dt, contact.births_due};
+  if (contact.derived.mortar) exchange_face_rows(contact, view);
+  if (contact.elements_are_gone || contact.derived.mortar) {  // nodes that mortar rows have left may lie behind faces
+    const BirthScene births{contact.history.pairs, step.nodes.motion, dt, contact.births_due, contact.derived.mortar};
     follow_births(births, step.rows, contact.history.births, step.scratch.births);
   }
   contact.births_due = false;
-  if (lists.any_edges) detect_crossing_edges(view, lists, step);
+  if (lists.any_edges) {
+    const std::size_t first = detect_crossing_edges(view, lists, step);
+    if (contact.derived.mortar) drop_held_edges(contact, first, step.rows);
+  }
   if (contact.derived.tied) drop_tied_rows(contact, step.rows);
   detect_walls(view, lists.wall_candidates, input.walls, step.rows);
   double& penetration = contact.ledger.sums.penetration;

@@ -24,8 +24,8 @@ Spin spin_of(const Contact& contact, const Carriers& carriers, LocalIndex node) 
 /// Nothing but rigid bodies can yield.
 bool is_stiff(const Contact& contact, const Row& row) {
   if (row.cone != Cone::compression || row.is_edge() || row.holds) return false;
-  return std::all_of(row.nodes.begin(), row.nodes.begin() + row.node_count,
-                     [&](LocalIndex node) { return nth(contact.step.nodes.mobility, node).inverse_mass == 0; });
+  return std::ranges::all_of(row.points(),
+                             [&](LocalIndex node) { return nth(contact.step.nodes.mobility, node).inverse_mass == 0; });
 }
 
 bool is_jammed(const Contact& contact, const Carriers& carriers, std::size_t q, double dt) {

@@ -58,12 +58,15 @@ DerivedSettings derive(const ContactSettings& settings, const Surface& surface, 
   derived.friction = specification.pairs.any_friction() ||
                      std::ranges::any_of(walls, [](const Wall& wall) { return wall.friction.any(); });
   derived.two_passes = derived.bodies && any_two_passes(specification, surface.bodies);
+  derived.mortar = specification.pairs.any(
+      [](const PairSpecification& pair) { return pair.rule != PairRule::apart && pair.passes == Passes::mortar; });
   derived.sheets = std::ranges::any_of(settings.blocks.thickness, [](double thickness) { return thickness > 0; });
   derived.may_jam = settings.rigid.count > 0 && settings.rigid.squeezed;
   derived.may_be_driven =
       settings.rigid.supported || derived.may_jam ||
       ranks.any(std::ranges::any_of(mobility, [](const Mobility& node) { return !node.is_free(); }));
-  derived.remembers = derived.enforcement.warm_start || derived.friction || derived.sheets || settings.erodes;
+  derived.remembers =
+      derived.enforcement.warm_start || derived.friction || derived.sheets || derived.mortar || settings.erodes;
   return derived;
 }
 

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "gather.hpp"
 #include "memory.hpp"
+#include "mortar_step.hpp"
 #include "tied_parts.hpp"
 
 namespace brunt::contact {
@@ -74,11 +75,15 @@ ContactLists lists_of(Contact& contact, std::span<const Wall> walls) {
   const DerivedSettings& derived = contact.derived;
   const Tolerances& tolerances = *derived.detection.tolerances;
   ListState& state = contact.list_state;
+  std::vector<GlobalIndex> kept;
+  if (derived.mortar) kept = nodes_of_kept_rows(contact.history.mortar);
   const ListSettings reach{.tolerances = &tolerances,
                            .wall_capture = tolerances.capture * derived.detection.wall_size,
                            .motion = state.motion_allowed,
                            .faces = derived.bodies,
                            .two_passes = derived.two_passes,
+                           .mortar = derived.mortar,
+                           .kept = kept,
                            .wall_facets = contact.settings.wall_pressures,
                            .thickness = contact.settings.blocks.thickness,
                            .search = contact.settings.search};
@@ -156,6 +161,7 @@ void rebuild(Contact& contact, const StepInput& input) {
   ++contact.ledger.statistics.searches;
 
   size_nodes(contact, lists, step.nodes);
+  if (derived.mortar) place_kept_rows(contact);
   if (derived.two_passes) {
     const std::span<const Vec3> starts = state.motion.starts().first(surface.gid.size());
     const std::vector<Vec3> positions = of_contact_nodes<Vec3>(lists, starts, Vec3::Zero());

@@ -56,7 +56,10 @@ HistoryTables history_tables(const Contact& contact) {
   return tables;
 }
 
-void move_history(Contact& contact) {
+namespace {
+
+/// heads, terms: of mortar rows, on whichever rank. Collective.
+void move_history(std::vector<MortarHead> heads, std::vector<MortarTermRecord> terms, Contact& contact) {
   const Surface& surface = contact.surface;
   const Rank here = contact.ranks.rank();
   History& history = contact.history;
@@ -65,6 +68,8 @@ void move_history(Contact& contact) {
   history.anchors = fetch(contact.ranks, history.anchors, slaves);
   history.limits = fetch(contact.ranks, history.limits, slaves);
   history.births = fetch(contact.ranks, history.births, slaves);
+  heads = fetch(contact.ranks, heads, slaves);
+  terms = fetch(contact.ranks, terms, slaves);
   const auto owns = [&](GlobalIndex gid) {
     const auto found = std::ranges::lower_bound(surface.gid, gid);
     return found != surface.gid.end() && *found == gid &&
@@ -83,15 +88,24 @@ void move_history(Contact& contact) {
   std::erase_if(history.anchors, belongs_elsewhere);
   std::erase_if(history.limits, belongs_elsewhere);
   std::erase_if(history.births, belongs_elsewhere);
+  std::erase_if(heads, belongs_elsewhere);
+  std::erase_if(terms, belongs_elsewhere);
+  history.mortar = mortar_history_from(std::move(heads), std::move(terms));
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
   std::ranges::sort(history.limits, {}, &LimitRecord::key);
   std::ranges::sort(history.births, {}, &BirthRecord::key);
 }
 
+}  // namespace
+
+void move_history(Contact& contact) {
+  move_history(contact.history.mortar.heads, term_records(contact.history.mortar), contact);
+}
+
 void restore_history(const HistoryTables& tables, Contact& contact) {
   contact.history = from_tables(tables);
-  move_history(contact);
+  move_history(mortar_heads_from(tables[4]), mortar_terms_from(tables[5]), contact);
 }
 
 }  // namespace brunt::contact

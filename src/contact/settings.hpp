@@ -63,6 +63,7 @@ struct DerivedSettings {
   bool tied = false;                ///< some pair is tied
   bool friction = false;            ///< somewhere, on a wall too
   bool two_passes = false;          ///< of some pair
+  bool mortar = false;              ///< some pair has mortar rows
   bool sheets = false;              ///< two-sided faces exist
   bool may_be_driven = false;       ///< supports hold some node of the surface, or may_jam
   bool may_jam = false;             ///< rigid bodies may be driven where they have no way out

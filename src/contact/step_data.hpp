@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "contact/data/constraint.hpp"
+#include "contact/data/held_bodies.hpp"
 #include "contact/data/history.hpp"
 #include "contact/detection/detection.hpp"
 #include "contact/enforcement/system.hpp"
 #include "contact/lists/list_motion.hpp"
 #include "contact/lists/lists.hpp"
+#include "contact/mortar_rows/mortar_rows.hpp"
 
 namespace brunt::contact {
 
@@ -53,6 +55,8 @@ struct StepScratch {
   std::vector<NodeHold> holds;  ///< of each contact node
   RowSortScratch row_sort;
   std::vector<BirthRecord> births;
+  MortarScratch mortar;
+  std::vector<Row> mortar_rows;
   EnforcementScratch enforcement;
   std::vector<HistoryRecord> next_pairs;
   std::vector<AnchorRecord> next_anchors;
@@ -62,6 +66,9 @@ struct StepScratch {
 struct StepData {
   ContactNodes nodes;
   std::vector<Vec3> own_area, facet_area;  ///< area vectors of faces, a corner's share: of this rank's, of the lists'
+  std::vector<LocalIndex> mortar_places;   ///< of the terms of kept mortar rows: contact nodes, facets
+  std::vector<HeldBodies> held;            ///< of contact nodes; empty without mortar rows
+  std::vector<HeldBodies> surrounded;      ///< those with which a slave owned here has one row that has all its facets
   std::vector<Row> rows;                   ///< of the last step, on this rank
   std::vector<Vec3> impulses;              ///< of those rows [momentum]
   StepScratch scratch;

@@ -173,8 +173,7 @@ void judge_islands(Unmet& unmet, const Carriers& carriers, const Bounds& bounds,
 bool is_too_deep_to_recover(const Contact& contact, const Row& row, const Carriers& carriers) {
   const DetectionSettings& settings = contact.derived.detection;
   if (settings.recovery_gives || -row.gap <= settings.tolerances->ledge * settings.wall_size) return false;
-  const auto count = static_cast<std::size_t>(row.node_count);
-  return std::all_of(row.nodes.begin(), row.nodes.begin() + count, [&](LocalIndex node) {
+  return std::ranges::all_of(row.points(), [&](LocalIndex node) {
     return carriers.of(node) != nullptr || nth(contact.step.nodes.mobility, node).inverse_mass == 0;
   });
 }

@@ -16,15 +16,20 @@ namespace {
 
 /// Can no impulse of the row change its rate, since supports hold all its nodes along the normal?
 bool is_driven(const Row& row, const ContactNodes& nodes, const Carriers& carriers) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const auto place = static_cast<std::size_t>(row.nodes[i]);
+  for (std::size_t i = 0; i < row.points().size(); ++i) {
+    const double share = row.shares()[i];
+    const auto place = static_cast<std::size_t>(row.points()[i]);
     const Mobility& node = nodes.mobility[place];
-    if (const Carrier* body = carriers.of(row.nodes[i]))
-      if (row.weights[i] != 0 && row.normal.dot(answer_at(*body, nodes.motion[place].position) * row.normal) > 0)
-        return false;
-    if (row.weights[i] != 0 && node.inverse_mass > 0 && node.is_free_along(row.normal)) return false;
+    if (const Carrier* body = carriers.of(row.points()[i]))
+      if (share != 0 && row.normal.dot(answer_at(*body, nodes.motion[place].position) * row.normal) > 0) return false;
+    if (share != 0 && node.inverse_mass > 0 && node.is_free_along(row.normal)) return false;
   }
   return true;
+}
+
+/// The key names a face.
+bool is_on_face(const Row& row) {
+  return !row.is_wall() && !row.is_edge() && !row.is_mortar();
 }
 
 const MasterFace& face_of(const Contact& contact, const Row& row) {
@@ -33,9 +38,9 @@ const MasterFace& face_of(const Contact& contact, const Row& row) {
   return *face;
 }
 
-/// Size of the master; of an edge the mean one of the surface.
+/// Size of the master; of an edge or several faces the mean one of the surface.
 double size_of_master(const Contact& contact, const Row& row) {
-  if (row.is_wall() || row.is_edge()) return contact.derived.detection.wall_size;
+  if (!is_on_face(row)) return contact.derived.detection.wall_size;
   const MasterFace& face = face_of(contact, row);
   std::array<Vec3, 4> corners;
   const auto count = static_cast<std::size_t>(face.corner_count);
@@ -47,9 +52,9 @@ double size_of_master(const Contact& contact, const Row& row) {
 double extent_of_bodies(const Contact& contact, const Row& row) {
   const std::span<const CarriedPoint> points = contact.step.nodes.carried;
   double extent = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const auto found = std::ranges::lower_bound(points, row.nodes[i], {}, &CarriedPoint::point);
-    if (found != points.end() && found->point == row.nodes[i])
+  for (const LocalIndex point : row.points()) {
+    const auto found = std::ranges::lower_bound(points, point, {}, &CarriedPoint::point);
+    if (found != points.end() && found->point == point)
       extent = std::min(extent, nth(contact.settings.rigid.extent, found->body));
   }
   return extent;
@@ -58,7 +63,7 @@ double extent_of_bodies(const Contact& contact, const Row& row) {
 /// A share of a rigid body, but less than the depth in which contact sees its nodes; otherwise an element.
 void set_limit(const Contact& contact, const Row& row, double size, DrivenMeeting& meeting) {
   const double extent = extent_of_bodies(contact, row);
-  const bool behind_face = !row.is_wall() && !row.is_edge();
+  const bool behind_face = is_on_face(row);
   meeting.is_rigid = std::isfinite(extent);
   meeting.limit = size;
   if (behind_face) meeting.limit = face_of(contact, row).element_depth;
@@ -70,7 +75,7 @@ void set_limit(const Contact& contact, const Row& row, double size, DrivenMeetin
 
 DrivenMeeting meeting_of(const Contact& contact, const Row& row, std::int32_t slave_block, std::int32_t master_block) {
   DrivenMeeting meeting{.slave_block = slave_block, .master_block = master_block, .slave = row.key.slave};
-  if (row.is_wall() || row.is_edge()) return meeting;
+  if (!is_on_face(row)) return meeting;
   const MasterFace& face = face_of(contact, row);
   const auto count = static_cast<std::size_t>(face.corner_count);
   for (std::size_t i = 0; i < count; ++i) {

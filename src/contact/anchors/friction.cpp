@@ -10,9 +10,9 @@
 namespace brunt::contact {
 namespace {
 
-/// Not a tie, which keeps its place by itself.
+/// Not a tie, which keeps its place by itself, nor a mortar row, which counts its slip.
 bool has_anchor(const Row& row) {
-  return row.friction > 0;
+  return row.friction > 0 && !row.is_mortar();
 }
 
 bool sticks(const Row& row, const Vec3& impulse, const Tolerances& tolerances) {
@@ -33,8 +33,8 @@ const AnchorRecord* anchor_within_reach(const Row& row, const AnchorScene& scene
 double friction_coefficient(const FrictionLaw& law, const Row& row, std::span<const NodeMotion> motion) {
   if (law.decay == 0 || law.fixed == law.kinetic) return law.fixed;
   Vec3 slip = Vec3::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-    slip += row.weights[i] * nth(motion, row.nodes[i]).old_velocity;
+  for (std::size_t i = 0; i < row.points().size(); ++i)
+    slip += row.shares()[i] * nth(motion, row.points()[i]).old_velocity;
   slip -= row.normal.dot(slip) * row.normal;
   return law.coefficient(slip.norm());
 }

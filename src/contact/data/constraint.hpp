@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The data shared by detection, enforcement and ghosting: contact nodes and constraint rows.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/data/row_key.hpp"
@@ -48,7 +50,7 @@ enum class Pass : std::int8_t {
   second  ///< the reverse
 };
 
-/// Rows of detection: a node and a face of four corners.
+/// Rows of detection but for mortar rows: a node and a face of four corners.
 constexpr std::size_t most_nodes_of_a_row = 5;
 /// Rows of detection: the slave and the master.
 constexpr std::size_t most_bodies_of_a_row = 2;
@@ -72,7 +74,8 @@ struct Lever {
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equality for a
 /// free cone). With friction, also r = drift across the normal as long as the impulse across it stays within friction
 /// times the impulse along it, plus the lagging part. An impulse p [momentum] changes the momentum of node i by
-/// weights[i] p. Rows are ordered by their keys.
+/// weights[i] p. Rows are ordered by their keys. `points` and `shares` are the nodes and weights of rows of any length;
+/// a mortar row has its own node in nodes[0] and a node of the master in nodes[1].
 struct Row {
   RowKey key{};
   std::array<LocalIndex, most_nodes_of_a_row> nodes{};  ///< contact nodes, the slave (or the slave edge's two) first
@@ -99,7 +102,17 @@ struct Row {
   double noise = 0;              ///< bound of the error of the required rate due to rounding of positions [velocity]
   Vec3 drift = Vec3::Zero();     ///< tangential velocity required in sticking [velocity]: recovers the slip
   const Lever* lever = nullptr;  ///< of a tie across a gap or an overlap; lives as long as the rows of a step
+  /// Of a row with more points than `nodes` has room for, all of them and their weights; live as long as the rows.
+  std::span<const LocalIndex> wide_points{};
+  std::span<const double> wide_weights{};
 
+  [[nodiscard]] std::span<const LocalIndex> points() const {
+    return wide_points.empty() ? std::span(nodes).first(static_cast<std::size_t>(node_count)) : wide_points;
+  }
+  [[nodiscard]] std::span<const double> shares() const {
+    return wide_points.empty() ? std::span(weights).first(static_cast<std::size_t>(node_count)) : wide_weights;
+  }
+  [[nodiscard]] bool is_mortar() const { return key.kind == RowKind::mortar; }
   [[nodiscard]] bool is_wall() const { return key.kind == RowKind::wall; }
   [[nodiscard]] bool is_edge() const { return key.kind == RowKind::edge; }
 };
@@ -107,24 +120,24 @@ struct Row {
 /// Contribution of levers to the relative velocity.
 template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::noinline]] void add_turned(const Row& row, const VelocityOf& velocity_of, Vec3& relative) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i)
-    relative += row.lever->turn[i] * velocity_of(row.nodes[i]);
+  for (std::size_t i = 0; i < row.points().size(); ++i) relative += row.lever->turn[i] * velocity_of(row.nodes[i]);
 }
 
 /// The relative velocity of the row; velocity_of(node): of a contact node.
 template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::always_inline]] inline Vec3 relative_velocity(const Row& row, const VelocityOf& velocity_of) {
   Vec3 relative = Vec3::Zero();
-  const auto count = static_cast<std::size_t>(row.node_count);
-  for (std::size_t i = 0; i < count; ++i) relative += row.weights[i] * velocity_of(row.nodes[i]);
+  const std::span<const LocalIndex> points = row.points();
+  const std::span<const double> shares = row.shares();
+  for (std::size_t i = 0; i < points.size(); ++i) relative += shares[i] * velocity_of(points[i]);
   if (row.lever != nullptr) [[unlikely]]
     add_turned(row, velocity_of, relative);
   return relative;
 }
 
-/// The part of the row's impulse that acts on node i [momentum].
+/// The part of the row's impulse that acts on point i [momentum].
 inline Vec3 impulse_on_node(const Row& row, std::size_t i, const Vec3& impulse) {
-  const Vec3 share = row.weights[i] * impulse;
+  const Vec3 share = row.shares()[i] * impulse;
   return row.lever == nullptr ? share : Vec3(share + row.lever->turn[i].transpose() * impulse);
 }
 
@@ -132,6 +145,11 @@ inline Vec3 impulse_on_node(const Row& row, std::size_t i, const Vec3& impulse) 
 inline double largest_share(const Row& row) {
   constexpr double beside = 2;  // weights of a tied node a little beside its face
   if (row.lever != nullptr) return row.lever->most;
+  if (row.is_mortar()) {
+    double most = 0;
+    for (const double share : row.shares()) most = std::max(most, std::abs(share));
+    return most;
+  }
   return row.holds ? beside : 1.0;
 }
 

@@ -2,6 +2,7 @@
 #include "contact/data/history.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "contact/data/row_matrix.hpp"
 #include "contact/data/tolerances.hpp"
@@ -9,12 +10,6 @@
 
 namespace brunt::contact {
 namespace {
-
-/// What keys begin with.
-std::array<GlobalIndex, 2> slave_of(const RowKey& key) {
-  const SavedKey ordered = saved(key);
-  return {ordered[0], ordered[1]};
-}
 
 bool acted(const HistoryRecord& record) {
   return std::ranges::any_of(record.force, [](double component) { return component != 0; });
@@ -121,11 +116,14 @@ void to_tables(const History& history, HistoryTables& tables) {
     tables[3].keys.insert(tables[3].keys.end(), numbers.begin(), numbers.end());
     tables[3].values.insert(tables[3].values.end(), {record.penetration, record.depth});
   }
+  auto [heads, terms] = mortar_tables(history.mortar);
+  tables[4] = std::move(heads);
+  tables[5] = std::move(terms);
 }
 
 History from_tables(const HistoryTables& tables) {
   History history;
-  const auto& [pairs, anchors, limits, births] = tables;
+  const RecordTable &pairs = tables[0], &anchors = tables[1], &limits = tables[2], &births = tables[3];
   demand(pairs.values.size() == 5 * static_cast<std::size_t>(pairs.rows()) &&
              anchors.values.size() == 7 * static_cast<std::size_t>(anchors.rows()) &&
              limits.values.size() == static_cast<std::size_t>(limits.rows()) &&

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/data/constraint.hpp"
+#include "contact/data/mortar_history.hpp"
 #include "contact/data/standard_tolerances.hpp"
 #include "core/record_table.hpp"
 
@@ -57,8 +58,10 @@ struct History {
   std::vector<AnchorRecord> anchors;
   std::vector<LimitRecord> limits;
   std::vector<BirthRecord> births;
+  MortarHistory mortar;
 
   void clear() {
+    mortar.clear();
     pairs.clear();
     anchors.clear();
     limits.clear();
@@ -101,15 +104,11 @@ void write_pairs(std::span<const Row> rows, std::span<const Vec3> impulses, doub
 /// Calls visit(q) for each row whose slave has an unmet record: a node that slides on to the next face remains known.
 template <class Visit>
 void for_each_unmet(std::span<const Row> rows, std::span<const HistoryRecord> records, Visit&& visit) {
-  const auto slave = [](const RowKey& key) {
-    const SavedKey ordered = saved(key);
-    return std::array{ordered[0], ordered[1]};
-  };
   auto record = records.begin();
   for (std::size_t q = 0; q < rows.size(); ++q) {
-    const auto own = slave(rows[q].key);
-    while (record != records.end() && slave(record->key) < own) ++record;
-    for (auto other = record; other != records.end() && slave(other->key) == own; ++other)
+    const auto own = slave_of(rows[q].key);
+    while (record != records.end() && slave_of(record->key) < own) ++record;
+    for (auto other = record; other != records.end() && slave_of(other->key) == own; ++other)
       if (other->unmet != 0) {
         visit(q);
         break;
@@ -118,8 +117,9 @@ void for_each_unmet(std::span<const Row> rows, std::span<const HistoryRecord> re
 }
 
 /// Converts the history to tables for checkpoints and the state hash, and back.
-using HistoryTables = std::array<RecordTable, 4>;
+using HistoryTables = std::array<RecordTable, 6>;
 void to_tables(const History& history, HistoryTables& tables);
+/// Without mortar rows, whose tables mortar_heads_from and mortar_terms_from read.
 History from_tables(const HistoryTables& tables);
 
 }  // namespace brunt::contact

@@ -32,6 +32,8 @@ enum class Passes : std::int8_t {
               ///< which nodes on the master's rims are constrained as well
   one,
   two,      ///< constrained by one system of rows
+  mortar,   ///< one row a slave node, of the gap averaged over the facets around it (contact/mortar_rows); two, where
+            ///< nothing is covered or faces are not smooth
   averaged  ///< two, solved separately; the mean of their impulses acts; then used for all pairs of a scene
 };
 

@@ -66,8 +66,8 @@ RowLaw law_of(const Row& row) {
 const RowMatrix& compress(std::span<const Row> rows, RowMatrix& matrix) {
   matrix.clear();
   for (const Row& row : rows) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-      matrix.add(row.nodes[i], row.weights[i]);
+    for (std::size_t i = 0; i < row.points().size(); ++i) {
+      matrix.add(row.points()[i], row.shares()[i]);
       if (row.lever != nullptr) matrix.arms.push_back({row.lever->turn[i], row.lever->bound[i]});
     }
     matrix.close_row(law_of(row), {.gap = row.gap,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/data/constraint.hpp"
+#include "contact/data/held_bodies.hpp"
 #include "contact/data/history.hpp"
 #include "contact/data/options.hpp"
 #include "contact/detection/coincident_nodes.hpp"
@@ -148,13 +149,15 @@ struct FaceInput {
   std::span<const Vec3> facet_area;           ///< along the area vectors of the slaves' own faces
   std::span<const HistoryRecord> remembered;  ///< the history: sides of two-sided faces
   std::span<const BirthRecord> births{};      ///< of nodes behind faces that have become exterior in front of them
+  std::span<const HeldBodies> held{};         ///< of contact nodes: by mortar rows; empty: there are none
+  std::span<const HeldBodies> surrounded{};   ///< likewise, of slaves with a row that has all their facets
 };
 
 /// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each. The order of the passes:
 ///
-/// 1. Each pair of a node and a face whose swept boxes overlap becomes an encounter; its side of a sheet is determined
-///    (sides.hpp). Of coincident nodes of two bodies one row may constrain both: the other one has no encounters
-///    (coincident_nodes.hpp).
+/// 1. Each pair of a node and a face whose swept boxes overlap becomes an encounter, unless mortar rows have all facets
+///    of the node or all nodes of the faces that it meets; its side of a sheet is determined (sides.hpp). Of coincident
+///    nodes of two bodies one row may constrain both: the other one has no encounters (coincident_nodes.hpp).
 /// 2. The closest point decides on the meeting by position (encounter_all).
 /// 3. The slave's normal cone yields the opposition; faces that it does not admit are lateral faces (cones.hpp).
 /// 4. The features around the node revise the meeting (features.hpp).

@@ -116,6 +116,9 @@ class FaceDetection {
 
   /// The faces near[first .. end) of one body; returns whether any of them is two-sided.
   bool list_faces_of_body(const Slave& slave, const Sweep& sweep, std::size_t first, std::size_t end) {
+    const std::size_t listed = scratch_.encounters.size();
+    if (!input_.surrounded.empty() && nth(input_.surrounded, slave.node).has(scene_.face(slave.near[first]).body))
+      return false;
     RowsToSpare spare;
     if (!slave.coincident.empty())
       spare =
@@ -132,7 +135,19 @@ class FaceDetection {
       e.approach.clearance = face.half_thickness + slave.half_thickness;
       two_sided = two_sided || face.two_sided;
     }
+    if (!input_.held.empty() && all_are_held(slave, listed)) scratch_.encounters.resize(listed);
     return two_sided;
+  }
+
+  /// Whether mortar rows with the slave's body have all corners of all faces listed from `first` on.
+  [[nodiscard]] bool all_are_held(const Slave& slave, std::size_t first) const {
+    return std::all_of(scratch_.encounters.begin() + static_cast<std::ptrdiff_t>(first), scratch_.encounters.end(),
+                       [&](const Encounter& e) {
+                         const MasterFace& face = scene_.face(e);
+                         const auto corners = std::span(face.nodes).first(static_cast<std::size_t>(face.corner_count));
+                         return std::ranges::all_of(
+                             corners, [&](LocalIndex node) { return nth(input_.held, node).has(slave.body); });
+                       });
   }
 
   /// The records of a slave. To be called for the slaves in ascending order.

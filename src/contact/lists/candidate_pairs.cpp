@@ -75,7 +75,7 @@ Box capture_box(const ListBuild& build, std::span<const Vec3> corners, double ed
   return geometry::grown(geometry::bounding_box(corners), reach * (1 + build.settings.tolerances->rounding));
 }
 
-CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build) {
+CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build, std::span<const Box> also) {
   CandidatePairs<GhostFace> result{own_master_faces(build), {}};
   const std::vector<LocalIndex> slaves = own_slave_nodes(build);
   std::vector<Vec3> points;
@@ -84,6 +84,7 @@ CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build) {
     points.push_back(build.position(node));
     wanted.push_back({points.back(), points.back()});
   }
+  wanted.insert(wanted.end(), also.begin(), also.end());
   add_ghosts(build, wanted, result.masters);
   const std::vector<Box> boxes = capture_boxes(result.masters);
   Ragged<LocalIndex> found;

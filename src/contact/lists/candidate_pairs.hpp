@@ -56,8 +56,8 @@ void add_ghosts(const ListBuild& build, std::span<const geometry::Box> wanted, s
   masters.insert(masters.end(), ghosts.begin(), ghosts.end());
 }
 
-/// Nodes near faces. Collective.
-CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build);
+/// Nodes near faces. also: boxes of facets whose masters are wanted besides. Collective.
+CandidatePairs<GhostFace> find_face_pairs(const ListBuild& build, std::span<const geometry::Box> also = {});
 /// Edges near edges of which one is sharp. Collective.
 CandidatePairs<GhostEdge> find_edge_pairs(const ListBuild& build);
 

@@ -11,6 +11,7 @@
 #include "contact/enforcement/system.hpp"
 #include "core/error.hpp"
 #include "core/sorted.hpp"
+#include "mortar_pairs.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -99,14 +100,16 @@ using EdgePairs = CandidatePairs<GhostEdge>;
 
 /// Masters that some pair needs, in the order of their first pair: place of each, or no_index.
 template <class Ghost>
-std::vector<LocalIndex> masters_in_use(const CandidatePairs<Ghost>& found, std::vector<LocalIndex>& used) {
+std::vector<LocalIndex> masters_in_use(const CandidatePairs<Ghost>& found, std::span<const CandidatePair> also,
+                                       std::vector<LocalIndex>& used) {
   std::vector<LocalIndex> place(found.masters.size(), no_index);
-  for (const CandidatePair& pair : found.pairs) {
-    LocalIndex& here = nth(place, pair.master);
-    if (here != no_index) continue;
-    here = static_cast<LocalIndex>(used.size());
-    used.push_back(pair.master);
-  }
+  for (const std::span<const CandidatePair> pairs : {std::span<const CandidatePair>(found.pairs), also})
+    for (const CandidatePair& pair : pairs) {
+      LocalIndex& here = nth(place, pair.master);
+      if (here != no_index) continue;
+      here = static_cast<LocalIndex>(used.size());
+      used.push_back(pair.master);
+    }
   return place;
 }
 
@@ -119,9 +122,56 @@ void for_each_slave(const std::vector<CandidatePair>& pairs, Visit&& visit) {
   }
 }
 
-void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& lists) {
+/// Facets that have a pair, and those around nodes of kept rows, whose facets they may be.
+std::vector<char> facets_in_use(const ListBuild& build, const MortarPairs& mortar) {
+  std::vector<char> in_use(mortar.facets.size(), 0);
+  for (const CandidatePair& pair : mortar.pairs) nth(in_use, pair.slave) = 1;
+  for (std::size_t f = 0; f < in_use.size(); ++f)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(mortar.facets[f].corner_count); ++i)
+      if (std::ranges::binary_search(build.settings.kept, mortar.facets[f].gid[i])) in_use[f] = 1;
+  return in_use;
+}
+
+/// place: of masters among lists.faces.
+void fill_mortar(const ListBuild& build, const MortarPairs& found, std::span<const LocalIndex> place,
+                 ContactLists& lists) {
+  MortarCandidates& mortar = lists.mortar;
+  const std::vector<char> in_use = facets_in_use(build, found);
+  std::vector<std::pair<LocalIndex, LocalIndex>> around;  // slave and facet
+  auto pair = found.pairs.begin();
+  for (std::size_t f = 0; f < found.facets.size(); ++f) {
+    if (in_use[f] == 0) continue;
+    const GhostFace& from = found.facets[f];
+    MortarFacet facet{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
+    facet.element_depth = from.element_depth;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(from.corner_count); ++i) {
+      facet.nodes[i] = table_index(lists.nodes, from.gid[i]);
+      if (from.home[i].rank == build.ranks.rank())
+        around.push_back({facet.nodes[i], static_cast<LocalIndex>(mortar.facets.size())});
+    }
+    mortar.facets.push_back(facet);
+    for (; pair != found.pairs.end() && pair->slave == static_cast<LocalIndex>(f); ++pair)
+      mortar.masters.values.push_back(nth(place, pair->master));
+    mortar.masters.close_row();
+  }
+  std::ranges::sort(around);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    if (i == 0 || around[i].first != around[i - 1].first) {
+      if (i > 0) mortar.around.close_row();
+      mortar.slave.push_back(around[i].first);
+    }
+    mortar.around.values.push_back(around[i].second);
+  }
+  if (!around.empty()) mortar.around.close_row();
+  lists.most_rows += mortar.slave.size();
+  mortar.any = build.ranks.any(!found.pairs.empty());
+}
+
+/// Returns the places of masters among lists.faces, or no_index.
+std::vector<LocalIndex> fill_faces(const ListBuild& build, const FacePairs& found, const MortarPairs& mortar,
+                                   ContactLists& lists) {
   std::vector<LocalIndex> used;
-  const std::vector<LocalIndex> place = masters_in_use(found, used);
+  std::vector<LocalIndex> place = masters_in_use(found, mortar.pairs, used);
   for (const LocalIndex m : used) {
     const GhostFace& from = nth(found.masters, m);
     MasterFace master{.key = from.key, .corner_count = from.corner_count, .body = from.body, .block = from.block};
@@ -142,6 +192,7 @@ void fill_faces(const ListBuild& build, const FacePairs& found, ContactLists& li
     lists.most_rows += std::min(pairs.size(), most_rows_of_a_node);
     lists.most_faces_of_a_slave = std::max(lists.most_faces_of_a_slave, pairs.size());
   });
+  return place;
 }
 
 /// Passes of pairs of two bodies; within one that is not known before they meet. Where only the nodes on the master's
@@ -185,7 +236,7 @@ void fill_seams(const ListBuild& build, const FacePairs& found, Candidates& cand
 /// Facets are left as places until they are numbered.
 void fill_edges(const ListBuild& build, const EdgePairs& found, ContactLists& lists, std::vector<Place>& facets) {
   std::vector<LocalIndex> used;
-  const std::vector<LocalIndex> place = masters_in_use(found, used);
+  const std::vector<LocalIndex> place = masters_in_use(found, {}, used);
   EdgeCandidates& edges = lists.edges;
   for (const LocalIndex m : used) {
     const GhostEdge& from = nth(found.masters, m);
@@ -261,17 +312,29 @@ void link_facets(const ListBuild& build, const FacePairs& found, const std::vect
     lists.facets = comm::Halo(build.ranks, static_cast<LocalIndex>(build.surface.faces.size()), source);
 }
 
-/// Every node that the pairs name, with its owner; some more than once.
-std::vector<NeededNode> needed_nodes(const ListBuild& build, const FacePairs& faces, const EdgePairs& edges,
-                                     const std::vector<WallCandidate>& walls) {
+/// Every node that mortar rows have or may have. Collective.
+void need_mortar_nodes(const ListBuild& build, const MortarPairs& mortar, std::vector<NeededNode>& needed) {
+  if (!build.settings.mortar) return;
+  const std::vector<char> in_use = facets_in_use(build, mortar);
+  for (std::size_t f = 0; f < mortar.facets.size(); ++f)
+    for (std::size_t i = 0; in_use[f] != 0 && i < static_cast<std::size_t>(mortar.facets[f].corner_count); ++i)
+      needed.push_back({mortar.facets[f].gid[i], mortar.facets[f].home[i]});
+  const std::vector<Place> homes = homes_of(build.ranks, build.surface, build.settings.kept);
+  for (std::size_t i = 0; i < homes.size(); ++i) needed.push_back({build.settings.kept[i], homes[i]});
+}
+
+/// Every node that the pairs name, with its owner; some more than once. Collective.
+std::vector<NeededNode> needed_nodes(const ListBuild& build, const FacePairs& faces, const MortarPairs& mortar,
+                                     const EdgePairs& edges, const std::vector<WallCandidate>& walls) {
   std::vector<NeededNode> needed;
+  need_mortar_nodes(build, mortar, needed);
   const auto need = [&](LocalIndex node) {
     const auto i = static_cast<std::size_t>(node);
     needed.push_back({build.surface.gid[i], build.surface.home[i]});
   };
   for_each_slave(faces.pairs, [&](LocalIndex node, auto /*pairs*/) { need(node); });
   std::vector<LocalIndex> used;
-  masters_in_use(faces, used);
+  masters_in_use(faces, mortar.pairs, used);
   for (const LocalIndex m : used) {
     const GhostFace& master = nth(faces.masters, m);
     for (std::size_t i = 0; i < static_cast<std::size_t>(master.corner_count); ++i)
@@ -294,22 +357,26 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   const ListBuild build{ranks, surface, specification, roles, positions, settings, scratch};
   ContactLists lists;
   FacePairs faces;
+  MortarPairs mortar;
   EdgePairs edges;
   if (settings.faces) {
-    faces = find_face_pairs(build);
+    if (settings.mortar) mortar.facets = facets_around_slaves(build);
+    faces = find_face_pairs(build, capture_boxes(mortar.facets));
+    if (settings.mortar) mortar.pairs = find_mortar_pairs(build, mortar.facets, faces.masters);
     edges = find_edge_pairs(build);
   }
   lists.wall_candidates = walls_in_reach(build, walls, held);
 
   Ragged<LocalIndex> requested;
-  lists.nodes = make_table(build, needed_nodes(build, faces, edges, lists.wall_candidates), requested);
+  lists.nodes = make_table(build, needed_nodes(build, faces, mortar, edges, lists.wall_candidates), requested);
   std::vector<LocalIndex> wall_nodes;  // in the surface
   for (const WallCandidate& candidate : lists.wall_candidates)
     if (settings.wall_facets) wall_nodes.push_back(candidate.node);
   for (WallCandidate& candidate : lists.wall_candidates)
     candidate.node = table_index(lists.nodes, nth(surface.gid, candidate.node));
   std::vector<Place> edge_facets;
-  fill_faces(build, faces, lists);
+  const std::vector<LocalIndex> place = fill_faces(build, faces, mortar, lists);
+  fill_mortar(build, mortar, place, lists);
   fill_passes(build, faces, lists.candidates);
   fill_thickness(build, faces, lists.candidates);
   fill_seams(build, faces, lists.candidates);

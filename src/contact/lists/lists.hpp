@@ -11,6 +11,7 @@
 #include "contact/detection/detection.hpp"
 #include "contact/detection/edges.hpp"
 #include "contact/lists/halo_exchange.hpp"
+#include "contact/mortar_rows/candidates.hpp"
 #include "contact/search/box_overlaps.hpp"
 #include "contact/search/methods.hpp"
 #include "contact/surface/surface.hpp"
@@ -30,6 +31,7 @@ struct ContactLists {
   std::vector<MasterFace> faces;
   Candidates candidates;
   EdgeCandidates edges;
+  MortarCandidates mortar;
   std::vector<WallCandidate> wall_candidates;  ///< ordered by (wall, node)
   Ragged<LocalIndex> wall_facets;              ///< of each of them, as Candidates::slave_facets; empty if not needed
   HaloExchange exchange;
@@ -48,6 +50,8 @@ struct ListSettings {
   double motion = 0;                    ///< admissible motion of each node and wall [length], including the coming step
   bool faces = true;                    ///< search faces at all
   bool two_passes = false;              ///< some pair has two passes
+  bool mortar = false;                  ///< some pair has mortar rows
+  std::span<const GlobalIndex> kept{};  ///< nodes of kept mortar rows, which stay contact nodes; ascending
   bool wall_facets = false;             ///< areas around nodes near walls are wanted
   std::span<const double> thickness{};  ///< thickness of blocks that are sheets, see ContactSettings [length]
   SearchMethod search = SearchMethod::automatic;
@@ -62,7 +66,7 @@ struct ListSettings {
 /// Data that a search reuses from earlier ones; results do not depend on it.
 struct ListScratch {
   MethodScratch faces;
-  OverlapScratch bodies, rims, edges;
+  OverlapScratch bodies, rims, edges, facets;
 };
 
 /// positions: of this rank's surface nodes. held(wall, surface node) as flags, wall by wall; empty without walls.

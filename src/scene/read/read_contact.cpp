@@ -19,8 +19,12 @@ using Enforce = contact::MortarPair::Enforce;
 using Overlap = contact::OverlapRule;
 using Slave = ContactEntry::Slave;
 
-const Choices<Passes> passes_words{
-    {{"auto", Passes::automatic}, {"one", Passes::one}, {"two", Passes::two}, {"averaged", Passes::averaged}}, {}};
+const Choices<Passes> passes_words{{{"auto", Passes::automatic},
+                                    {"one", Passes::one},
+                                    {"two", Passes::two},
+                                    {"mortar", Passes::mortar},
+                                    {"averaged", Passes::averaged}},
+                                   {}};
 const Choices<Overlap> overlap_words{{{"error", Overlap::error},
                                       {"warn", Overlap::warn},
                                       {"move", Overlap::move},
@@ -136,9 +140,11 @@ void judge_passes(const Key& map, const ContactEntry& contact) {
   if (has(map, "self") && !contact.between.empty())
     warn(at(map, "self"), "no effect with two parts; a part meets itself by between: all, or [a, a]");
   const bool two = contact.passes == Passes::two || contact.passes == Passes::averaged;
+  const bool mortar = contact.passes == Passes::mortar;
   if (two && contact.slave != Slave::automatic) warn(at(map, "slave"), "no effect with two passes");
-  if (two && contact.friction.lag > 0)
-    fault(at(map, "passes"), "invalid lag of friction with two passes; expected passes: auto or one");
+  if ((two || mortar) && contact.friction.lag > 0)
+    fault(at(map, "passes"), "invalid lag of friction with two passes or mortar rows; expected passes: auto or one");
+  if (mortar && contact.tied) warn(at(map, "passes"), "no effect with tied: true: a tie has rows of its own");
   if (two && contact.tied) warn(at(map, "passes"), "no effect with tied: true: a tie has one pass");
 }
 
@@ -216,6 +222,11 @@ void judge_method(const Key& whole, const ContactEntry& contact, const Input& in
   const bool ties = contact.tied || std::ranges::any_of(input.contact, &ContactEntry::tied);
   if (ties && method != Method::rate && method != Method::row_sum)
     fault(whole, "invalid tied: the enforcement method has no ties; expected method: rate or row_sum");
+  const bool mortar = contact.passes == contact::Passes::mortar;
+  if (mortar && !contact::holds_rates(method))
+    fault(whole, "invalid passes: mortar: the enforcement method has no mortar rows; expected method: rate or row_sum");
+  if (mortar && std::ranges::any_of(input.parts, [](const Part& part) { return part.erosion.has_value(); }))
+    fault(whole, "invalid passes: mortar: elements of a part may be removed; expected no erosion, or passes: two");
   if (method != Method::reference) return;
   const bool rubs = contact.friction.any() ||
                     std::ranges::any_of(input.contact, [](const ContactEntry& e) { return e.friction.any(); }) ||

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/mortar_rows/placed_row.hpp"
+
+#include <algorithm>
+
+#include "contact/mortar_rows/integrate.hpp"
+
+namespace brunt::contact {
+namespace {
+
+/// Against the normals of the facets, by what is covered of them.
+Vec3 against_facets(const KeptRow& row, std::span<const Vec3> facet_normal) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = row.nodes; i < row.terms.size(); ++i)
+    sum -= row.terms[i].weight * nth(facet_normal, row.places[i]);
+  return sum.normalized();
+}
+
+/// The nodes of one side in a row, by what each reaches: their middle and second moments.
+struct Spread {
+  Vec3 middle = Vec3::Zero();
+  Mat3 moments = Mat3::Zero();  ///< [length^2]
+
+  Spread(const KeptRow& row, MortarPart part, std::span<const NodeMotion> motion) {
+    const auto place = [&](std::size_t i) -> const Vec3& { return nth(motion, row.places[i]).position; };
+    for (std::size_t i = 0; i < row.nodes; ++i)
+      if (row.terms[i].part == part) middle += row.terms[i].reach * place(i);
+    for (std::size_t i = 0; i < row.nodes; ++i) {
+      if (row.terms[i].part != part || row.terms[i].reach == 0) continue;
+      const Vec3 arm = place(i) - middle;
+      moments += row.terms[i].reach * arm * arm.transpose();
+    }
+  }
+};
+
+/// Second moments across a normal.
+struct MomentsAcross {
+  Vec3 first, second;
+  double a, b, c;  ///< along first, mixed, along second [length^2]
+
+  MomentsAcross(const Mat3& moments, const Vec3& normal)
+      : first(normal.unitOrthogonal()),
+        second(normal.cross(first)),
+        a(first.dot(moments * first)),
+        b(first.dot(moments * second)),
+        c(second.dot(moments * second)) {}
+  /// The nodes do not lie on a line.
+  [[nodiscard]] bool are_plane() const {
+    constexpr double flat = 1e-6;
+    const double most = std::max(a, c);
+    return a * c - b * b > flat * most * most;
+  }
+  /// The vector across the normal that the moments map to that part of `image`.
+  [[nodiscard]] Vec3 solve(const Vec3& image) const {
+    const double x = first.dot(image), y = second.dot(image), det = a * c - b * b;
+    return (c * x - b * y) / det * first + (a * y - b * x) / det * second;
+  }
+};
+
+/// Of the plane that fits the nodes, on the side of `near`: a point that slides along the plane keeps its height over
+/// it.
+Vec3 normal_of_plane(const Spread& nodes, const Vec3& near) {
+  const MomentsAcross across(nodes.moments, near);
+  return across.are_plane() ? (near - across.solve(nodes.moments * near)).normalized() : near;
+}
+
+/// Where the facets are covered whole, what is covered moves with the slave, and the master's points below it change:
+/// the normal is that of the master's plane. Otherwise what is covered moves with the rim of the master, along the
+/// slave's facets.
+Vec3 normal_of(const KeptRow& row, const Spread& master, const Vec3& against) {
+  return row.head.whole > 0 ? normal_of_plane(master, against) : against;
+}
+
+/// Moves the points of one side by `shift` across the normal: weights of linear functions along the side, whose sum is
+/// zero.
+void move_points(const KeptRow& row, MortarPart part, const Spread& nodes, const MomentsAcross& across,
+                 const Vec3& shift, std::span<const NodeMotion> motion, std::span<double> weights) {
+  const Vec3 slope = across.solve(shift);
+  for (std::size_t i = 0; i < row.nodes; ++i)
+    if (row.terms[i].part == part && row.terms[i].reach != 0)
+      weights[i] += row.terms[i].reach * slope.dot(nth(motion, row.places[i]).position - nodes.middle);
+}
+
+/// Brings the points of both sides over each other, so that the row has no moment: to first order what integration
+/// would.
+void follow_slip(const KeptRow& row, const Spread& slave, const Spread& master, const Vec3& normal,
+                 std::span<const NodeMotion> motion, std::span<double> weights) {
+  const bool master_moves = row.head.whole > 0;
+  const MortarPart part = master_moves ? MortarPart::master : MortarPart::slave;
+  const Spread& nodes = master_moves ? master : slave;
+  const MomentsAcross across(nodes.moments, normal);
+  const Vec3 apart = sum_of_places(row.terms, row.places, motion);
+  if (across.are_plane()) move_points(row, part, nodes, across, -apart, motion, weights);
+}
+
+/// Of accepted overlaps of the start, what the row's function makes of them [length].
+double accepted_by(const KeptRow& row, std::span<const AcceptedOverlap> accepted) {
+  double sum = 0;
+  if (accepted.empty()) return sum;
+  for (std::size_t i = 0; i < row.nodes; ++i)
+    if (row.terms[i].part == MortarPart::slave)
+      sum += row.terms[i].weight *
+             accepted_penetration(accepted, row.terms[i].id, static_cast<std::int32_t>(row.head.key.master));
+  return sum;
+}
+
+}  // namespace
+
+KeptRow kept_row(const MortarHistory& history, std::span<const LocalIndex> places, std::size_t r) {
+  const std::span<const MortarTerm> terms = history.terms.row(static_cast<LocalIndex>(r));
+  const auto end = std::ranges::find(terms, MortarPart::facet, &MortarTerm::part);
+  return {history.heads[r], terms, places.subspan(static_cast<std::size_t>(history.terms.offsets[r]), terms.size()),
+          static_cast<std::size_t>(end - terms.begin())};
+}
+
+PlacedRow place_row(const KeptRow& row, const MortarScene& scene, std::span<const Vec3> facet_normal,
+                    std::span<double> weights) {
+  const Spread slave(row, MortarPart::slave, scene.motion), master(row, MortarPart::master, scene.motion);
+  PlacedRow placed;
+  placed.normal = normal_of(row, master, against_facets(row, facet_normal));
+  follow_slip(row, slave, master, placed.normal, scene.motion, weights);
+  Vec3 apart = Vec3::Zero();
+  for (std::size_t i = 0; i < row.nodes; ++i) apart += weights[i] * nth(scene.motion, row.places[i]).position;
+  placed.gap = placed.normal.dot(apart) + accepted_by(row, scene.accepted);
+  return placed;
+}
+
+}  // namespace brunt::contact
