@@ -64,8 +64,7 @@ std::array<RecordTable, 2> mortar_tables(const MortarHistory& history) {
 }
 
 std::vector<MortarHead> mortar_heads_from(const RecordTable& table) {
-  demand(table.values.size() == head_numbers * static_cast<std::size_t>(table.rows()),
-         "the table of mortar rows is complete");
+  demand(4 * table.values.size() == head_numbers * table.keys.size(), "the table of mortar rows is complete");
   std::vector<MortarHead> heads;
   const double* value = table.values.data();
   for (auto key = table.keys.begin(); key != table.keys.end(); key += 4, value += head_numbers) {
@@ -84,8 +83,7 @@ std::vector<MortarHead> mortar_heads_from(const RecordTable& table) {
 }
 
 std::vector<MortarTermRecord> mortar_terms_from(const RecordTable& table) {
-  demand(table.values.size() == 2 * static_cast<std::size_t>(table.rows()),
-         "the table of the weights of mortar rows is complete");
+  demand(6 * table.values.size() == 2 * table.keys.size(), "the table of the weights of mortar rows is complete");
   std::vector<MortarTermRecord> terms;
   const double* value = table.values.data();
   for (auto key = table.keys.begin(); key != table.keys.end(); key += 6, value += 2)
