@@ -179,6 +179,16 @@ class MortarContact(SceneProgram):
                 self.assertLess(told["energy"]["error_ratio"], 1e-10, fields)
                 self.assertLess(true_depth.deepest(os.path.join(self.folder, "out", "state.h5")).share, 0.05, fields)
 
+    def test_what_has_no_mortar_rows_is_refused(self):
+        rows = "contact: [{between: all, friction: 0, passes: mortar}]"
+        for says, place, given in (
+                ("rate or row_sum", rows, "enforcement: {method: penalty}\n" + rows),
+                ("no erosion", "a: {material: m}", "a: {material: m, erosion: {criterion: max_principal, value: 1.0e6}}"),
+                ("auto or one", "friction: 0", "friction: {static: 0.3, lag: 1.0e-6}")):
+            told = self.go(OVER_A_RIM.replace(place, given), code=2)
+            self.assertIn(says, told)
+            self.assertIn("passes", told)
+
     def test_a_block_slides_over_a_rim(self):
         rows = self.go(OVER_A_RIM)
         # rows of nodes take over where the block has tipped by 4 degrees, and recover what mean gaps left between nodes
