@@ -150,6 +150,7 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   contact.derived.detection.accepted = std::move(accepted);
   contact.derived.detection.fitted = std::move(fitted);
   release_ties(contact, remains.outside.faces);
+  contact.history.mortar.clear();  // facets of kept rows may be gone: all are integrated in the next step
   if (contact.derived.remembers) move_history(contact);
   contact.list_state.exist = false;
   contact.elements_are_gone =

@@ -74,8 +74,8 @@ class HardCase(SceneProgram):
         self.assertLessEqual(of_nodes, limits["nodes"])
         self.assertLessEqual(of_edges, limits["edges"])
         # the program looks at every step and takes the deepest point of an edge, those in planes of symmetry too
-        # what the program tells of warped elements, for which it takes six tetrahedra, may differ (falling_boxes_test): .0674 where
-        # edges are within .05, a punch of 60 degrees on one machine of two
+        # what the program tells of warped elements, for which it takes six tetrahedra, may differ (falling_boxes_test): .0674
+        # where edges are within .05, for a punch of 60 degrees
         self.assertLessEqual(self.summary(out)["deepest_penetration"]["elements"], max(limits["nodes"], limits["edges"]) + DIFFERENCE)
         largest = largest_energy(rows)
         for row in rows:

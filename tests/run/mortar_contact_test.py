@@ -179,6 +179,15 @@ class MortarContact(SceneProgram):
                 self.assertLess(told["energy"]["error_ratio"], 1e-10, fields)
                 self.assertLess(true_depth.deepest(os.path.join(self.folder, "out", "state.h5")).share, 0.05, fields)
 
+    def test_elements_below_the_slave_are_removed(self):
+        scene = SLIDE.format(**SLIDING) + "sets: {bit: {box: [[0.4, 0.4, 0.14], [0.8, 0.8, 0.31]], part: a}}\n"
+        hashes = set()
+        for ranks in (1, 3):
+            self.go(scene + "remove: [{set: bit, at: 5.0e-3, nodes: drop}]\n", ranks=ranks)
+            self.assertGreater(self.summary("out")["removed_elements"], 0)
+            hashes.add(self.summary("out")["state_hash"])
+        self.assertEqual(len(hashes), 1)
+
     def test_what_has_no_mortar_rows_is_refused(self):
         rows = "contact: [{between: all, friction: 0, passes: mortar}]"
         for says, place, given in (
