@@ -17,8 +17,8 @@ StepView view_of(const Contact& contact, double dt) {
   return {contact.lists.nodes.gid, contact.step.nodes.motion, dt, contact.derived.detection};
 }
 
-/// The ends of a slave edge may have their rows on other ranks. Returns how many rows there were before.
-std::size_t detect_crossing_edges(const StepView& view, ContactLists& lists, StepData& step) {
+/// The ends of a slave edge may have their rows on other ranks.
+void detect_crossing_edges(const StepView& view, ContactLists& lists, StepData& step) {
   std::vector<NodeHold>& holds = step.scratch.holds;
   holds.assign(lists.nodes.gid.size(), {});
   for (const Row& row : step.rows) {
@@ -26,9 +26,8 @@ std::size_t detect_crossing_edges(const StepView& view, ContactLists& lists, Ste
     if (hold.normal.isZero(0)) hold = {row.normal, static_cast<double>(row.master_body)};
   }
   lists.exchange.share(as_doubles(holds), hold_width);
-  const std::size_t before = step.rows.size();
-  detect_edges(view, {lists.edges, step.scratch.detection.facet_normal, holds, step.nodes.reference}, step.rows);
-  return before;
+  detect_edges(view, {lists.edges, step.scratch.detection.facet_normal, holds, step.nodes.reference, step.held},
+               step.rows);
 }
 
 double measured_separation(const Contact& contact, const StepInput& input) {
@@ -58,7 +57,7 @@ void find_rows(Contact& contact, const StepInput& input) {
   if (contact.derived.mortar) renew_mortar_rows(contact);
   detect_faces(view,
                {lists.candidates, lists.faces, step.facet_area, contact.history.pairs, contact.history.births,
-                step.held, step.surrounded},
+                step.held, step.settled},
                step.scratch.detection, step.rows);
   if (contact.derived.mortar) exchange_face_rows(contact, view);
   if (contact.elements_are_gone || contact.derived.mortar) {  // nodes that mortar rows have left may lie behind faces
@@ -66,10 +65,7 @@ void find_rows(Contact& contact, const StepInput& input) {
     follow_births(births, step.rows, contact.history.births, step.scratch.births);
   }
   contact.births_due = false;
-  if (lists.any_edges) {
-    const std::size_t first = detect_crossing_edges(view, lists, step);
-    if (contact.derived.mortar) drop_held_edges(contact, first, step.rows);
-  }
+  if (lists.any_edges) detect_crossing_edges(view, lists, step);
   if (contact.derived.tied) drop_tied_rows(contact, step.rows);
   detect_walls(view, lists.wall_candidates, input.walls, step.rows);
   double& penetration = contact.ledger.sums.penetration;

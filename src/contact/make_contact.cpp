@@ -2,12 +2,14 @@
 // The parts of contact before the first step.
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "contact/contact.hpp"
 #include "contact/data/tolerances.hpp"
 #include "contact/joined/join_surface.hpp"
 #include "contact/passes.hpp"
 #include "initial_state.hpp"
+#include "mortar_step.hpp"
 #include "move_history.hpp"
 #include "tied_parts.hpp"
 
@@ -140,7 +142,7 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   surface.bodies = with_blocks(contact.bodies_at_start, surface.bodies);
   surface.mean_edge = contact.surface.mean_edge;
   surface.mean_element_depth = contact.surface.mean_element_depth;
-  contact.surface = std::move(surface);
+  const Surface before = std::exchange(contact.surface, std::move(surface));
   contact.surface_nodes = surface_nodes(contact.ranks, contact.surface, mesh, inverse_mass, constrained, walls,
                                         contact.settings.rigid.nodes, !contact.settings.detection.accepted.empty(),
                                         *contact.settings.specification.tolerances);
@@ -150,7 +152,7 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   contact.derived.detection.accepted = std::move(accepted);
   contact.derived.detection.fitted = std::move(fitted);
   release_ties(contact, remains.outside.faces);
-  contact.history.mortar.clear();  // facets of kept rows may be gone: all are integrated in the next step
+  if (contact.derived.mortar) forget_changed_rows(before, contact);
   if (contact.derived.remembers) move_history(contact);
   contact.list_state.exist = false;
   contact.elements_are_gone =

@@ -9,6 +9,9 @@ namespace brunt::contact {
 /// Nodes of kept rows, ascending: lists must have them.
 std::vector<GlobalIndex> nodes_of_kept_rows(const MortarHistory& history);
 
+/// Forgets the kept rows with a node of a face that has gone or come since that surface. Collective.
+void forget_changed_rows(const Surface& before, Contact& contact);
+
 /// Where the terms of kept rows are in new lists.
 void place_kept_rows(Contact& contact);
 
@@ -17,9 +20,6 @@ void renew_mortar_rows(Contact& contact);
 
 /// Appends mortar rows, and removes the rows of nodes on faces that they replace.
 void exchange_face_rows(Contact& contact, const StepView& view);
-
-/// Removes rows of edges [first .. end) of which one edge lies within what mortar rows hold.
-void drop_held_edges(const Contact& contact, std::size_t first, std::vector<Row>& rows);
 
 /// What the row's function covers [length^2].
 double area_of_mortar_row(const Contact& contact, const Row& row);

@@ -56,7 +56,6 @@ struct StepScratch {
   RowSortScratch row_sort;
   std::vector<BirthRecord> births;
   MortarScratch mortar;
-  std::vector<Row> mortar_rows;
   EnforcementScratch enforcement;
   std::vector<HistoryRecord> next_pairs;
   std::vector<AnchorRecord> next_anchors;
@@ -68,7 +67,7 @@ struct StepData {
   std::vector<Vec3> own_area, facet_area;  ///< area vectors of faces, a corner's share: of this rank's, of the lists'
   std::vector<LocalIndex> mortar_places;   ///< of the terms of kept mortar rows: contact nodes, facets
   std::vector<HeldBodies> held;            ///< of contact nodes; empty without mortar rows
-  std::vector<HeldBodies> surrounded;      ///< those with which a slave owned here has one row that has all its facets
+  std::vector<char> settled;               ///< of the candidate faces of slaves, see FaceInput
   std::vector<Row> rows;                   ///< of the last step, on this rank
   std::vector<Vec3> impulses;              ///< of those rows [momentum]
   StepScratch scratch;

@@ -16,6 +16,12 @@ const Wall& wall_of(const AnchorScene& scene, GlobalIndex wall) {
   return nth(scene.walls, wall);
 }
 
+/// The face of this key, which mostly is that of the row; null if the lists do not have it.
+const MasterFace* face_of(const AnchorScene& scene, const Row& row, GlobalIndex key) {
+  if (row.master_face != no_index && key == row.key.master) return &nth(scene.faces, row.master_face);
+  return find_face(scene.faces, scene.by_key, key);
+}
+
 Vec3 slip_of_edges(const AnchorScene& scene, const AnchorRecord& anchor, const Row& row) {
   Vec3 apart = Vec3::Zero();
   for (std::size_t i = 0; i < 4; ++i) apart += anchor.weights[i] * nth(scene.motion, row.nodes[i]).position;
@@ -42,7 +48,7 @@ std::optional<Vec3> slip(const AnchorScene& scene, const AnchorRecord& anchor, c
   const Vec3& slave = nth(scene.motion, row.nodes[0]).position;
   if (anchor.key.kind == RowKind::wall)
     return slave - (wall_of(scene, anchor.key.master).point + Vec3(anchor.on_wall.data()));
-  const MasterFace* face = find_face(scene.faces, scene.by_key, anchor.face);
+  const MasterFace* face = face_of(scene, row, anchor.face);
   if (face == nullptr) return std::nullopt;
   std::array<Vec3, 4> corners;
   const auto count = static_cast<std::size_t>(face->corner_count);
@@ -66,7 +72,7 @@ std::optional<AnchorRecord> dragged(const AnchorScene& scene, const AnchorRecord
     for (std::size_t c = 0; c < 3; ++c) moved.on_wall[c] += slid[static_cast<Eigen::Index>(c)];
     return moved;
   }
-  const MasterFace* face = find_face(scene.faces, scene.by_key, anchor.face);
+  const MasterFace* face = face_of(scene, row, anchor.face);
   if (face == nullptr) return std::nullopt;
   std::array<Vec3, 4> corners;
   const auto count = static_cast<std::size_t>(face->corner_count);
@@ -93,7 +99,7 @@ AnchorRecord anchor_of(const AnchorScene& scene, const Row& row) {
     anchor.on_wall = {place[0], place[1], place[2]};
     return anchor;
   }
-  const MasterFace* face = find_face(scene.faces, scene.by_key, row.key.master);
+  const MasterFace* face = face_of(scene, row, row.key.master);
   demand(face != nullptr, "the face of a row is in the lists");
   anchor.face = row.key.master;
   for (std::size_t k = 1; k < static_cast<std::size_t>(row.node_count); ++k) {

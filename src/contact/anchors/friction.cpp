@@ -21,11 +21,31 @@ bool sticks(const Row& row, const Vec3& impulse, const Tolerances& tolerances) {
   return push > 0 && (impulse - push * row.normal).norm() < inside * friction_limit(row, push);
 }
 
-/// Null if the row has none yet, or is out of its reach.
-const AnchorRecord* anchor_within_reach(const Row& row, const AnchorScene& scene,
-                                        std::span<const AnchorRecord> anchors) {
-  const AnchorRecord* anchor = find_anchor(anchors, anchor_key_of(row));
-  return anchor != nullptr && slip(scene, *anchor, row) ? anchor : nullptr;
+/// The anchors of rows, which mostly come in the order of their slaves, as anchors do.
+class AnchorsInOrder {
+ public:
+  explicit AnchorsInOrder(std::span<const AnchorRecord> anchors) : anchors_(anchors) {}
+  /// Null if the row has none.
+  const AnchorRecord* of(const Row& row) {
+    const AnchorKey key = anchor_key_of(row);
+    if (key.slave < slave_) next_ = 0;
+    slave_ = key.slave;
+    while (next_ < anchors_.size() && anchors_[next_].key.slave < slave_) ++next_;
+    for (std::size_t i = next_; i < anchors_.size() && anchors_[i].key.slave == slave_; ++i)
+      if (anchors_[i].key == key) return &anchors_[i];
+    return nullptr;
+  }
+
+ private:
+  std::span<const AnchorRecord> anchors_;
+  std::size_t next_ = 0;
+  GlobalIndex slave_ = 0;
+};
+
+/// Ascending, each key once.
+bool are_in_order(std::span<const AnchorRecord> anchors) {
+  const auto not_before = [](const AnchorRecord& a, const AnchorRecord& b) { return !(a.key < b.key); };
+  return std::ranges::adjacent_find(anchors, not_before) == anchors.end();
 }
 
 }  // namespace
@@ -73,9 +93,10 @@ void write_limits(std::span<const Row> rows, std::span<const Vec3> impulses, dou
 void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<const AnchorRecord> anchors,
                     const AnchorSettings& settings, double dt) {
   if (anchors.empty()) return;
+  AnchorsInOrder in_order(anchors);
   for (Row& row : rows) {
     if (!has_anchor(row)) continue;
-    const AnchorRecord* anchor = find_anchor(anchors, anchor_key_of(row));
+    const AnchorRecord* anchor = in_order.of(row);
     const std::optional<Vec3> crept = anchor ? slip(scene, *anchor, row) : std::nullopt;
     if (!crept) continue;
     const Vec3 across = *crept - row.normal.dot(*crept) * row.normal;
@@ -89,15 +110,18 @@ void aim_at_anchors(std::span<Row> rows, const AnchorScene& scene, std::span<con
 void write_anchors(std::span<const Row> rows, std::span<const Vec3> impulses, std::span<const Vec3> slid,
                    const AnchorScene& scene, std::span<const AnchorRecord> before, std::vector<AnchorRecord>& after) {
   after.clear();
+  AnchorsInOrder in_order(before);
   for (std::size_t q = 0; q < rows.size(); ++q) {
     const Row& row = rows[q];
     if (!has_anchor(row) || !(row.normal.dot(impulses[q]) > 0)) continue;
-    const AnchorRecord* anchor = anchor_within_reach(row, scene, before);
+    const AnchorRecord* anchor = in_order.of(row);
+    if (anchor != nullptr && !slip(scene, *anchor, row)) anchor = nullptr;  // out of its reach
     if (sticks(row, impulses[q], *scene.tolerances))
       after.push_back(anchor != nullptr ? *anchor : anchor_of(scene, row));
     else if (anchor != nullptr)
       if (const auto moved = dragged(scene, *anchor, row, slid[q])) after.push_back(*moved);
   }
+  if (are_in_order(after)) return;
   // several faces of one body may hold a node: the one of the lowest key is its anchor, of two rows that drag the same
   // one the first in the order of its places, since the order of rows is not that of other ranks
   const auto whole = [](const AnchorRecord& record) {

@@ -150,7 +150,7 @@ struct FaceInput {
   std::span<const HistoryRecord> remembered;  ///< the history: sides of two-sided faces
   std::span<const BirthRecord> births{};      ///< of nodes behind faces that have become exterior in front of them
   std::span<const HeldBodies> held{};         ///< of contact nodes: by mortar rows; empty: there are none
-  std::span<const HeldBodies> surrounded{};   ///< likewise, of slaves with a row that has all their facets
+  std::span<const char> settled{};  ///< of each candidate face that is the first of a body: mortar rows hold them all
 };
 
 /// Appends the rows of slave nodes with faces, at most most_rows_of_a_node each. The order of the passes:

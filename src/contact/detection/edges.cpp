@@ -155,6 +155,15 @@ bool has_flat_edge(const EdgePair& pair) {
   return pair.slave.flat || pair.master.flat;
 }
 
+/// Whether mortar rows with the other body hold both ends of one of the edges.
+bool are_held(const EdgeInput& input, const EdgePair& pair) {
+  if (input.held.empty()) return false;
+  const auto holds = [&](const ContactEdge& edge, std::int32_t body) {
+    return std::ranges::all_of(edge.nodes, [&](LocalIndex node) { return nth(input.held, node).has(body); });
+  };
+  return holds(pair.slave, pair.master.body) || holds(pair.master, pair.slave.body);
+}
+
 /// Passes 1 to 5 for two sharp edges. near: candidates of the slave edge.
 std::optional<EdgeMeeting> meet_sharp(const EdgeScene& scene, const EdgePair& pair, std::span<const LocalIndex> near) {
   auto met = meet_now(scene, pair);
@@ -193,6 +202,7 @@ void detect_edges(const StepView& step, const EdgeInput& input, std::vector<Row>
       const ContactEdge& master = scene.master(m);
       if (!geometry::overlaps(scene.reach(master), slave_box)) continue;
       const EdgePair pair{slave, master, std::min(scene.length(slave), scene.length(master))};
+      if (are_held(input, pair)) continue;
       auto met = meet(scene, pair, near);
       if (!met) continue;
       met->gap += accepted_overlap(scene, pair, *met);

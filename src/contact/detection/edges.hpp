@@ -47,12 +47,13 @@ struct EdgeInput {
   /// Initial positions of the contact nodes, from which edges have their accepted overlaps; empty if the settings
   /// accept none.
   std::span<const Vec3> reference{};
+  std::span<const HeldBodies> held{};  ///< of each contact node: by mortar rows; empty: there are none
 };
 
 /// Appends a row for two edges that touch, come into contact in this step, or are so close that the impulses of the
 /// step may bring them into contact. The normal is the common perpendicular, out of the master. It must lie between the
 /// normals of the two faces of either edge (otherwise a face or a node is in contact). The order of the passes, for
-/// each pair whose swept boxes overlap:
+/// each pair whose swept boxes overlap, unless mortar rows with the other body hold both ends of one of them:
 ///
 /// 1. The crossing. A flat edge crosses rims only (flat_edges.hpp). Sharp edges are in contact, near each other, or
 ///    their paths cross within the step.

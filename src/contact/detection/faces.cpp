@@ -117,7 +117,7 @@ class FaceDetection {
   /// The faces near[first .. end) of one body; returns whether any of them is two-sided.
   bool list_faces_of_body(const Slave& slave, const Sweep& sweep, std::size_t first, std::size_t end) {
     const std::size_t listed = scratch_.encounters.size();
-    if (!input_.surrounded.empty() && nth(input_.surrounded, slave.node).has(scene_.face(slave.near[first]).body))
+    if (!input_.settled.empty() && nth(input_.settled, &slave.near[first] - candidates_.faces.values.data()) != 0)
       return false;
     RowsToSpare spare;
     if (!slave.coincident.empty())
@@ -212,6 +212,7 @@ class FaceDetection {
     row.slave_body = slave.body;
     row.master_body = face.body;
     row.master_block = face.block;
+    row.master_face = e.face;
     row.nodes[0] = slave.node;
     row.weights[0] = 1;
     row.node_count = 1;

@@ -265,6 +265,10 @@ bool make_slave_plane(FacetCorners slave, SlavePlane& plane) {
   return true;
 }
 
+bool may_share_segment(const SlavePlane& plane, FacetCorners master) {
+  return faces(plane, master) && !apart(polygon_of(plane), SeenMaster(plane, master).polygon());
+}
+
 bool integrate_segment(const SlavePlane& plane, FacetCorners master, double capture, SegmentIntegrals& integrals,
                        SegmentSlopes* slopes) {
   if (!faces(plane, master)) return false;

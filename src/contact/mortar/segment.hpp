@@ -35,6 +35,10 @@ struct SlavePlane {
 /// Returns false if the facet has no area, or a value is not finite.
 bool make_slave_plane(FacetCorners slave, SlavePlane& plane);
 
+/// False for most facets of which integrate_segment would find nothing: they do not face the slave, or the bounds of
+/// both in the plane do not overlap.
+bool may_share_segment(const SlavePlane& plane, FacetCorners master);
+
 /// A, B: corners of the slave facet; C: of the master facet. Entries of absent corners are 0. All [length^2].
 struct SegmentIntegrals {
   double area = 0;                                ///< of the overlap, on the plane

@@ -21,6 +21,10 @@ geometry::Box box_of(std::span<const Vec3> corners) {
   return geometry::bounding_box(corners);
 }
 
+bool look_against(const Vec3& normal, const Vec3& other, const Tolerances& tolerances) {
+  return normal.dot(other) <= -std::cos(tolerances.blunt_angle * std::numbers::pi / 180);
+}
+
 }  // namespace
 
 void FacetCovers::start(std::size_t facets) {
@@ -31,20 +35,32 @@ void FacetCovers::start(std::size_t facets) {
   segments_.clear();
 }
 
-bool FacetCovers::is_near(const MortarScene& scene, LocalIndex facet) {
-  Nearness& known = nth(near_, facet);
-  if (known == Nearness::unknown) {
-    const MortarFacet& slave = nth(scene.candidates.facets, facet);
-    const CornersNow corners(slave, scene.motion);
-    const geometry::Box box = geometry::grown(box_of(corners.span()), capture_of(scene, slave, corners.span()));
-    known = Nearness::far;
-    for (const LocalIndex face : scene.candidates.masters.row(facet))
-      if (geometry::overlaps(box, box_of(CornersNow(nth(scene.faces, face), scene.motion).span()))) {
-        known = Nearness::near;
-        break;
-      }
+FacetCovers::Nearness FacetCovers::nearness_of(const MortarScene& scene, LocalIndex facet) const {
+  const MortarFacet& slave = nth(scene.candidates.facets, facet);
+  const CornersNow corners(slave, scene.motion);
+  const geometry::Box box = geometry::grown(box_of(corners.span()), capture_of(scene, slave, corners.span()));
+  SlavePlane plane;
+  Nearness nearness = Nearness::far;
+  for (const LocalIndex face : scene.candidates.masters.row(facet)) {
+    const CornersNow master(nth(scene.faces, face), scene.motion);
+    if (!geometry::overlaps(box, box_of(master.span()))) continue;
+    if (nearness == Nearness::far && !make_slave_plane(corners.span(), plane)) break;
+    nearness = Nearness::near;
+    const Vec3 normal = geometry::area_vector(master.span()).normalized();
+    if (look_against(normal, plane.normal, scene.tolerances) && may_share_segment(plane, master.span()))
+      return Nearness::may_begin;
   }
-  return known == Nearness::near;
+  return nearness;
+}
+
+FacetCovers::Nearness FacetCovers::look(const MortarScene& scene, LocalIndex facet) {
+  Nearness& known = nth(near_, facet);
+  if (known == Nearness::unknown) known = nearness_of(scene, facet);
+  return known;
+}
+
+bool FacetCovers::may_begin(const MortarScene& scene, LocalIndex facet) {
+  return look(scene, facet) == Nearness::may_begin;
 }
 
 std::span<const Cover> FacetCovers::of(const MortarScene& scene, LocalIndex facet) {
@@ -63,7 +79,7 @@ void FacetCovers::find(const MortarScene& scene, LocalIndex facet) {
   const MortarFacet& slave = nth(scene.candidates.facets, facet);
   const CornersNow corners(slave, scene.motion);
   SlavePlane plane;
-  if (is_near(scene, facet) && make_slave_plane(corners.span(), plane)) {
+  if (look(scene, facet) != Nearness::far && make_slave_plane(corners.span(), plane)) {
     const double capture = capture_of(scene, slave, corners.span());
     const std::size_t before = covers_.size();
     for (const LocalIndex face : scene.candidates.masters.row(facet)) {
@@ -93,8 +109,8 @@ void FacetCovers::add_segment(const MortarScene& scene, const SlavePlane& plane,
     integrals_.clear();
   }
   Cover& cover = covers_.back();
-  const double aligned = std::cos(scene.tolerances.blunt_angle * std::numbers::pi / 180);
-  if (normal.dot(plane.normal) > -aligned || normal.dot(first_normal_) < aligned) cover.smooth = false;
+  if (!look_against(normal, plane.normal, scene.tolerances) || !look_against(normal, -first_normal_, scene.tolerances))
+    cover.smooth = false;
   cover.block = std::min(cover.block, master.block);
   segments_.push_back(segment);
   integrals_.push_back(segment.integrals);

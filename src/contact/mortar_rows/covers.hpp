@@ -43,15 +43,19 @@ class FacetCovers {
   /// By body. Valid until the next call.
   std::span<const Cover> of(const MortarScene& scene, LocalIndex facet);
   [[nodiscard]] std::span<const CoverSegment> segments(const Cover& cover) const;
-  /// Whether the box of a master comes so near to the facet's that they may share a segment.
-  bool is_near(const MortarScene& scene, LocalIndex facet);
+  /// Whether nodes of the facet may have a row: a master that looks against it comes so near that they may share a
+  /// segment.
+  bool may_begin(const MortarScene& scene, LocalIndex facet);
 
  private:
   void find(const MortarScene& scene, LocalIndex facet);
   void add_segment(const MortarScene& scene, const SlavePlane& plane, double capture, LocalIndex face);
   void close_cover(const SlavePlane& plane);
 
-  enum class Nearness : char { unknown, near, far };
+  enum class Nearness : char { unknown, may_begin, near, far };
+  Nearness nearness_of(const MortarScene& scene, LocalIndex facet) const;
+  Nearness look(const MortarScene& scene, LocalIndex facet);
+
   std::vector<Nearness> near_;
   std::vector<LocalIndex> first_, end_;  ///< of covers_, of each facet; no_index: not yet found
   std::vector<Cover> covers_;

@@ -62,7 +62,7 @@ void append_mortar_rows(const StepView& step, const MortarScene& scene, std::spa
     const KeptRow kept = kept_row(history, places, r);
     const auto first = static_cast<std::size_t>(history.terms.offsets[r]);
     const std::span<double> weights = std::span(scratch.weights).subspan(first, kept.nodes);
-    const PlacedRow placed = place_row(kept, scene, scratch.facet_normal, weights);
+    const PlacedRow placed = place_row(kept, scene, scratch.facet_normal, scratch.apart[r], weights);
     MortarHead& head = history.heads[r];
     head.born = std::clamp(-placed.gap, 0.0, head.born);
     scratch.normal.push_back(placed.normal);

@@ -19,9 +19,10 @@ namespace brunt::contact {
 struct MortarScratch {
   FacetCovers covers;
   NodeIntegration integration;
-  MortarHistory next;
-  std::vector<LocalIndex> next_places;
+  MortarHistory fresh, next;  ///< of the slaves that are integrated, of all
+  std::vector<LocalIndex> fresh_places, next_places;
   std::vector<char> renew;         ///< of each slave
+  std::vector<Vec3> apart;         ///< of each kept row: sum of its weights and positions [length]
   std::vector<Vec3> facet_normal;  ///< unit
   std::vector<Vec3> normal;        ///< of each kept row, out of the master
   std::vector<double> kept_gap;    ///< of the rows before a renewal [length]
@@ -29,7 +30,8 @@ struct MortarScratch {
 };
 
 /// Integrates the weights of slaves that need it. places: of the terms, contact nodes and facets; follows `history`.
-void renew_weights(const MortarScene& scene, MortarHistory& history, std::vector<LocalIndex>& places,
+/// Returns whether the kept rows are others than before.
+bool renew_weights(const MortarScene& scene, MortarHistory& history, std::vector<LocalIndex>& places,
                    MortarScratch& scratch);
 
 /// Appends the rows that may act in this step. Spans of the rows point into `places` and `scratch`.

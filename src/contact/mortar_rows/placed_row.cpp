@@ -64,33 +64,12 @@ Vec3 normal_of_plane(const Spread& nodes, const Vec3& near) {
   return across.are_plane() ? (near - across.solve(nodes.moments * near)).normalized() : near;
 }
 
-/// Where the facets are covered whole, what is covered moves with the slave, and the master's points below it change:
-/// the normal is that of the master's plane. Otherwise what is covered moves with the rim of the master, along the
-/// slave's facets.
-Vec3 normal_of(const KeptRow& row, const Spread& master, const Vec3& against) {
-  return row.head.whole > 0 ? normal_of_plane(master, against) : against;
-}
-
-/// Moves the points of one side by `shift` across the normal: weights of linear functions along the side, whose sum is
-/// zero.
-void move_points(const KeptRow& row, MortarPart part, const Spread& nodes, const MomentsAcross& across,
-                 const Vec3& shift, std::span<const NodeMotion> motion, std::span<double> weights) {
-  const Vec3 slope = across.solve(shift);
+/// Weights of linear functions along one side, of sum zero: they move its point by the moments times `slope`.
+void move_point(const KeptRow& row, MortarPart part, const Spread& nodes, const Vec3& slope,
+                std::span<const NodeMotion> motion, std::span<double> weights) {
   for (std::size_t i = 0; i < row.nodes; ++i)
     if (row.terms[i].part == part && row.terms[i].reach != 0)
       weights[i] += row.terms[i].reach * slope.dot(nth(motion, row.places[i]).position - nodes.middle);
-}
-
-/// Brings the points of both sides over each other, so that the row has no moment: to first order what integration
-/// would.
-void follow_slip(const KeptRow& row, const Spread& slave, const Spread& master, const Vec3& normal,
-                 std::span<const NodeMotion> motion, std::span<double> weights) {
-  const bool master_moves = row.head.whole > 0;
-  const MortarPart part = master_moves ? MortarPart::master : MortarPart::slave;
-  const Spread& nodes = master_moves ? master : slave;
-  const MomentsAcross across(nodes.moments, normal);
-  const Vec3 apart = sum_of_places(row.terms, row.places, motion);
-  if (across.are_plane()) move_points(row, part, nodes, across, -apart, motion, weights);
 }
 
 /// Of accepted overlaps of the start, what the row's function makes of them [length].
@@ -113,15 +92,25 @@ KeptRow kept_row(const MortarHistory& history, std::span<const LocalIndex> place
           static_cast<std::size_t>(end - terms.begin())};
 }
 
-PlacedRow place_row(const KeptRow& row, const MortarScene& scene, std::span<const Vec3> facet_normal,
+PlacedRow place_row(const KeptRow& row, const MortarScene& scene, std::span<const Vec3> facet_normal, const Vec3& apart,
                     std::span<double> weights) {
-  const Spread slave(row, MortarPart::slave, scene.motion), master(row, MortarPart::master, scene.motion);
-  PlacedRow placed;
-  placed.normal = normal_of(row, master, against_facets(row, facet_normal));
-  follow_slip(row, slave, master, placed.normal, scene.motion, weights);
-  Vec3 apart = Vec3::Zero();
-  for (std::size_t i = 0; i < row.nodes; ++i) apart += weights[i] * nth(scene.motion, row.places[i]).position;
-  placed.gap = placed.normal.dot(apart) + accepted_by(row, scene.accepted);
+  // Where the facets are covered whole, what is covered moves with the slave, and the master's points below it change:
+  // the normal is that of the master's plane. Otherwise what is covered moves with the rim of the master, along the
+  // slave's facets. The points that move come over the others again, so that the row has no moment: to first order what
+  // integration would do.
+  const bool is_whole = row.head.whole > 0;
+  const MortarPart moving = is_whole ? MortarPart::master : MortarPart::slave;
+  const Spread nodes(row, moving, scene.motion);
+  const Vec3 against = against_facets(row, facet_normal);
+  PlacedRow placed{.normal = is_whole ? normal_of_plane(nodes, against) : against};
+  Vec3 left = apart;
+  const MomentsAcross across(nodes.moments, placed.normal);
+  if (across.are_plane()) {
+    const Vec3 slope = across.solve(-apart);
+    move_point(row, moving, nodes, slope, scene.motion, weights);
+    left += nodes.moments * slope;
+  }
+  placed.gap = placed.normal.dot(left) + accepted_by(row, scene.accepted);
   return placed;
 }
 

@@ -21,8 +21,9 @@ struct PlacedRow {
   Vec3 normal = Vec3::Zero();  ///< unit, out of the master
   double gap = 0;              ///< without what was born [length]
 };
-/// facet_normal: of the candidates, unit. weights: the kept ones of nodes, which follow the slip.
-PlacedRow place_row(const KeptRow& row, const MortarScene& scene, std::span<const Vec3> facet_normal,
+/// facet_normal: of the candidates, unit. apart: sum of kept weights and present positions [length]. weights: the kept
+/// ones of nodes, which follow the slip.
+PlacedRow place_row(const KeptRow& row, const MortarScene& scene, std::span<const Vec3> facet_normal, const Vec3& apart,
                     std::span<double> weights);
 
 }  // namespace brunt::contact

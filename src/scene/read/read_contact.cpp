@@ -225,8 +225,6 @@ void judge_method(const Key& whole, const ContactEntry& contact, const Input& in
   const bool mortar = contact.passes == contact::Passes::mortar;
   if (mortar && !contact::holds_rates(method))
     fault(whole, "invalid passes: mortar: the enforcement method has no mortar rows; expected method: rate or row_sum");
-  if (mortar && std::ranges::any_of(input.parts, [](const Part& part) { return part.erosion.has_value(); }))
-    fault(whole, "invalid passes: mortar: elements of a part may be removed; expected no erosion, or passes: two");
   if (method != Method::reference) return;
   const bool rubs = contact.friction.any() ||
                     std::ranges::any_of(input.contact, [](const ContactEntry& e) { return e.friction.any(); }) ||
