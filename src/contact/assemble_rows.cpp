@@ -145,8 +145,11 @@ void remember(Contact& contact, const StepInput& input) {
   if (contact.derived.enforcement.warm_start || contact.derived.sheets) {
     const bool may_jam = contact.derived.may_jam;
     if (may_jam) keep_met_impulses(contact);
-    write_pairs(step.rows, may_jam ? contact.unmet.start : step.impulses, input.dt, scratch.detection.sides,
-                scratch.next_pairs, contact.unmet.held);
+    // what rows give back in one step is no start for the next one
+    const std::vector<Vec3>& forces = contact.derived.elastic_impact && scratch.impact.returned ? scratch.impact.first
+                                      : may_jam                                                 ? contact.unmet.start
+                                                                                                : step.impulses;
+    write_pairs(step.rows, forces, input.dt, scratch.detection.sides, scratch.next_pairs, contact.unmet.held);
     std::swap(contact.history.pairs, scratch.next_pairs);
   }
   if (!contact.derived.friction) return;

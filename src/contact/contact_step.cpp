@@ -12,6 +12,7 @@
 #include "contact/contact.hpp"
 #include "detect.hpp"
 #include "gather.hpp"
+#include "impact_step.hpp"
 #include "jams.hpp"
 #include "watch_driven.hpp"
 
@@ -64,6 +65,7 @@ EnforcementResult solve(Contact& contact, const StepInput& input) {
   if (derived.enforcement.warm_start)
     start_impulses(step.rows, contact.history.pairs, input.dt, step.impulses, *derived.detection.tolerances);
   if (derived.may_jam) contact.unmet.start.assign(step.impulses.begin(), step.impulses.end());
+  if (derived.elastic_impact) step.scratch.impact.start.assign(step.impulses.begin(), step.impulses.end());
   EnforcementScratch& scratch = step.scratch.enforcement;
   compress(step.rows, scratch.matrix);
   lay_rows_on_bodies(carriers_of(contact, input), step.nodes.motion, scratch.carried, scratch.matrix);
@@ -100,7 +102,10 @@ void correct(Contact& contact, const StepInput& input) {
   gather(input, contact.list_state.gather, contact.lists, contact.step);
   detect_rows(contact, input);
   assemble_rows(contact, input);
-  const EnforcementResult result = solve_what_can_be_met(contact, input);
+  const bool elastic = contact.derived.elastic_impact;
+  if (elastic) begin_impacts(contact, input);
+  EnforcementResult result = solve_what_can_be_met(contact, input);
+  if (elastic) return_energy(contact, input, system_of(contact, input), result);
   if (contact.derived.may_be_driven) watch_driven(contact, input);
   remember(contact, input);
   book_iterations(result, contact.derived.enforcement, !contact.unmet.any, contact.ledger.statistics);

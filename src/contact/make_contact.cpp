@@ -8,6 +8,7 @@
 #include "contact/data/tolerances.hpp"
 #include "contact/joined/join_surface.hpp"
 #include "contact/passes.hpp"
+#include "contact/transits.hpp"
 #include "initial_state.hpp"
 #include "mortar_step.hpp"
 #include "move_history.hpp"
@@ -67,8 +68,9 @@ DerivedSettings derive(const ContactSettings& settings, const Surface& surface, 
   derived.may_be_driven =
       settings.rigid.supported || derived.may_jam ||
       ranks.any(std::ranges::any_of(mobility, [](const Mobility& node) { return !node.is_free(); }));
-  derived.remembers =
-      derived.enforcement.warm_start || derived.friction || derived.sheets || derived.mortar || settings.erodes;
+  derived.elastic_impact = specification.enforcement.impact == Impact::elastic;
+  derived.remembers = derived.enforcement.warm_start || derived.friction || derived.sheets || derived.mortar ||
+                      settings.erodes || derived.elastic_impact;
   return derived;
 }
 
@@ -118,6 +120,8 @@ Contact make_contact(const comm::Communicator& ranks, const mesh::LocalMesh& mes
   SurfaceNodes nodes = surface_nodes(ranks, surface, mesh, inverse_mass, constrained, walls, settings.rigid.nodes,
                                      !settings.detection.accepted.empty(), *settings.specification.tolerances);
   if (settings.rigid.count > 0) spare_rigid_masters(ranks, nodes.carrier, surface);
+  if (settings.specification.enforcement.impact == Impact::elastic)
+    nodes.transit = transits(ranks, surface, settings.blocks.sound);
   std::vector<BodyFigures> bodies = surface.bodies;
   DerivedSettings derived = derive(settings, surface, nodes.mobility, walls, ranks);
   Contact contact{.ranks = ranks,
@@ -146,6 +150,8 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   contact.surface_nodes = surface_nodes(contact.ranks, contact.surface, mesh, inverse_mass, constrained, walls,
                                         contact.settings.rigid.nodes, !contact.settings.detection.accepted.empty(),
                                         *contact.settings.specification.tolerances);
+  if (contact.derived.elastic_impact)
+    contact.surface_nodes.transit = transits(contact.ranks, contact.surface, contact.settings.blocks.sound);
   std::vector<AcceptedOverlap> accepted = std::move(contact.derived.detection.accepted);
   std::vector<BodyPair> fitted = std::move(contact.derived.detection.fitted);
   contact.derived = derive(contact.settings, contact.surface, contact.surface_nodes.mobility, walls, contact.ranks);

@@ -33,6 +33,9 @@ struct StepInput {
   double dt = 0;
   std::span<const Carrier> bodies{};         ///< rigid bodies at t_n
   std::span<const CoupledBodies> coupled{};  ///< those with joints
+  /// Of the model's local nodes: sum of the plastic strains of the elements around them, infinite beside a material
+  /// that dissipates without one. Any change counts as flow. Empty: nothing flows, or Impact::plastic.
+  std::span<const double> flow{};
   double mobility_scale = 1;  ///< factor of the inverse masses in W: 1 / (1 + alpha dt / 2) with mass damping
 
   [[nodiscard]] VectorView predicted() const { return {velocity.data, velocity.stride}; }

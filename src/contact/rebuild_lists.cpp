@@ -117,6 +117,8 @@ void size_nodes(const Contact& contact, ContactLists& lists, ContactNodes& nodes
   nodes.mobility = of_contact_nodes<Mobility>(lists, contact.surface_nodes.mobility, {});
   static_assert(sizeof(Mobility) == 10 * sizeof(double));
   if (contact.settings.rigid.count > 0) find_carried(contact, lists, nodes);
+  if (contact.derived.elastic_impact)
+    nodes.transit = of_contact_nodes<double>(lists, contact.surface_nodes.transit, 0.0);
   if (!contact.derived.detection.accepted.empty())
     nodes.reference = of_contact_nodes<Vec3>(lists, contact.surface_nodes.reference, Vec3::Zero());
 }
@@ -134,6 +136,10 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std
   scratch.enforcement.reserve(most_rows, ties, lists.nodes.gid.size());
   if (derived.two_passes) scratch.enforcement.reserve_passes(most_rows, ties);
   if (bodies > 0) scratch.enforcement.reserve_bodies(most_rows, lists.nodes.gid.size(), bodies);
+  if (derived.elastic_impact) {
+    scratch.impact.reserve(most_rows, lists.nodes.gid.size(), bodies);
+    history.impacts.reserve(most_rows);
+  }
   if (!derived.remembers) return;
   const std::size_t sides = derived.sheets ? lists.candidates.faces.values.size() : 0;
   scratch.detection.sides.reserve(sides);

@@ -68,6 +68,7 @@ void move_history(std::vector<MortarHead> heads, std::vector<MortarTermRecord> t
   history.anchors = fetch(contact.ranks, history.anchors, slaves);
   history.limits = fetch(contact.ranks, history.limits, slaves);
   history.births = fetch(contact.ranks, history.births, slaves);
+  if (contact.derived.elastic_impact) history.impacts = fetch(contact.ranks, history.impacts, slaves);
   heads = fetch(contact.ranks, heads, slaves);
   terms = fetch(contact.ranks, terms, slaves);
   const auto owns = [&](GlobalIndex gid) {
@@ -88,6 +89,7 @@ void move_history(std::vector<MortarHead> heads, std::vector<MortarTermRecord> t
   std::erase_if(history.anchors, belongs_elsewhere);
   std::erase_if(history.limits, belongs_elsewhere);
   std::erase_if(history.births, belongs_elsewhere);
+  std::erase_if(history.impacts, belongs_elsewhere);
   std::erase_if(heads, belongs_elsewhere);
   std::erase_if(terms, belongs_elsewhere);
   history.mortar = mortar_history_from(std::move(heads), std::move(terms));
@@ -95,6 +97,7 @@ void move_history(std::vector<MortarHead> heads, std::vector<MortarTermRecord> t
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);
   std::ranges::sort(history.limits, {}, &LimitRecord::key);
   std::ranges::sort(history.births, {}, &BirthRecord::key);
+  std::ranges::sort(history.impacts, {}, &ImpactRecord::key);
 }
 
 }  // namespace

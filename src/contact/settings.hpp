@@ -65,6 +65,7 @@ struct DerivedSettings {
   bool two_passes = false;          ///< of some pair
   bool mortar = false;              ///< some pair has mortar rows
   bool sheets = false;              ///< two-sided faces exist
+  bool elastic_impact = false;      ///< Impact::elastic
   bool may_be_driven = false;       ///< supports hold some node of the surface, or may_jam
   bool may_jam = false;             ///< rigid bodies may be driven where they have no way out
   bool remembers = false;           ///< a step depends on the previous one: there is a history to save

@@ -8,6 +8,7 @@
 #include "contact/data/held_bodies.hpp"
 #include "contact/data/history.hpp"
 #include "contact/detection/detection.hpp"
+#include "contact/enforcement/impact_return.hpp"
 #include "contact/enforcement/system.hpp"
 #include "contact/lists/list_motion.hpp"
 #include "contact/lists/lists.hpp"
@@ -48,6 +49,7 @@ struct ContactNodes {
   std::vector<CarriedPoint> carried;  ///< by rigid bodies, ascending
   std::vector<Vec3> velocity;         ///< after contact
   std::vector<Vec3> reference;        ///< at the start; empty where no overlaps of the start are accepted
+  std::vector<double> transit;        ///< of half an element, see transits.hpp [time]; empty without Impact::elastic
 };
 
 struct StepScratch {
@@ -57,6 +59,7 @@ struct StepScratch {
   std::vector<BirthRecord> births;
   MortarScratch mortar;
   EnforcementScratch enforcement;
+  ImpactScratch impact;
   std::vector<HistoryRecord> next_pairs;
   std::vector<AnchorRecord> next_anchors;
   std::vector<Vec3> slid;  ///< of each row with friction, see write_anchors [length]

@@ -31,7 +31,9 @@ struct SurfaceNodes {
   /// empty without rigid bodies.
   std::vector<double> carrier{};
   std::vector<Vec3> reference{};  ///< at the start [length]; empty where no overlaps of the start are accepted
-  std::vector<char> held;         ///< wall by wall, a flag a surface node: it started in the plane of a bilateral wall
+  /// Of nodes owned here, else 0, see transits.hpp [time]; empty without Impact::elastic.
+  std::vector<double> transit{};
+  std::vector<char> held;  ///< wall by wall, a flag a surface node: it started in the plane of a bilateral wall
   SurfaceCopies copies;
 };
 

@@ -12,6 +12,7 @@
 #include "force/loads.hpp"
 #include "model/model.hpp"
 #include "surface/exposed.hpp"
+#include "time/flow.hpp"
 
 namespace brunt::time {
 
@@ -28,6 +29,7 @@ struct Links {
   std::vector<double> body_forces{};                ///< the same, rounded
   std::vector<contact::Carrier> carriers{};         ///< rigid bodies in the form that contact needs
   std::vector<contact::CoupledBodies> coupled{};    ///< those with joints
+  SurfaceFlow flow{};                               ///< for contact with Impact::elastic
   surface::InnerFaces inner_faces{};  ///< faces that removals may expose; none if the scene has no removals
 };
 

@@ -60,16 +60,20 @@ void correct_contact(const model::Model& model, model::State& state, model::Scra
   const double dt = step.dt;
   place_walls(model, state, state.time + 0.5 * dt, links.walls);
   carriers_of_bodies(model, scratch, step.drag(), links.carriers, links.coupled);
+  const bool flows = contact.derived.elastic_impact && has_flow(model);
+  if (flows) sum_flow(model, state, contact.surface.model_node, links.corner_forces, links.flow);
   constexpr int line = sizeof(model::NodeLine) / sizeof(double);
   auto* nodes = reinterpret_cast<double*>(state.nodes.data());
-  const contact::StepInput input{.position = {nodes, line},
-                                 .old_velocity = {reinterpret_cast<const double*>(scratch.before.data()), 3},
-                                 .velocity = {nodes + 4, line},
-                                 .walls = links.walls,
-                                 .dt = dt,
-                                 .bodies = links.carriers,
-                                 .coupled = links.coupled,
-                                 .mobility_scale = 1 / (1 + step.drag())};
+  const contact::StepInput input{
+      .position = {nodes, line},
+      .old_velocity = {reinterpret_cast<const double*>(scratch.before.data()), 3},
+      .velocity = {nodes + 4, line},
+      .walls = links.walls,
+      .dt = dt,
+      .bodies = links.carriers,
+      .coupled = links.coupled,
+      .flow = flows ? std::span<const double>(links.flow.of_node) : std::span<const double>{},
+      .mobility_scale = 1 / (1 + step.drag())};
   {
     const auto timed = links.timers.measure(Phase::search);
     links.ranks.max(velocities);

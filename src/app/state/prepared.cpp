@@ -29,7 +29,8 @@ model::Registry Prepared::registry() {
   }
   if (contact && contact->derived.remembers) {
     contact_history = contact::history_tables(*contact);
-    for (RecordTable& table : contact_history) registry.tables.push_back(&table);
+    for (RecordTable& table : contact_history)
+      if (contact->derived.elastic_impact || &table != &contact_history.back()) registry.tables.push_back(&table);
   }
   registry.arrays.push_back({"extremes", model::StateArray::Entity::global, -1, 1, extremes_width,
                              reinterpret_cast<double*>(&extremes), 1, 1, 1, 0, true, false});

@@ -97,6 +97,7 @@ void remove_due(Prepared& run, Log& log) {
   const bool eroded = run.erosion.any && erode(run, log);
   if (!removed && !eroded) return;  // all were gone before
   time::outdate(run.assembled);
+  run.links.flow.planned = false;
   if (run.contact) {
     const auto timed = run.links.timers.measure(Phase::search);
     expose(run.input, run.model, run.state, links, *run.contact);

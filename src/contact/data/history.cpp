@@ -119,6 +119,7 @@ void to_tables(const History& history, HistoryTables& tables) {
   auto [heads, terms] = mortar_tables(history.mortar);
   tables[4] = std::move(heads);
   tables[5] = std::move(terms);
+  tables[6] = impact_table(history.impacts);
 }
 
 History from_tables(const HistoryTables& tables) {
@@ -147,6 +148,7 @@ History from_tables(const HistoryTables& tables) {
   value = births.values.data();
   for (auto key = births.keys.begin(); key != births.keys.end(); key += 4, value += 2)
     history.births.push_back({anchor_key_from({key[0], key[1], key[2], key[3]}), value[0], value[1]});
+  history.impacts = impacts_from(tables[6]);
   std::ranges::sort(history.births, {}, &BirthRecord::key);
   std::ranges::sort(history.pairs, {}, &HistoryRecord::key);
   std::ranges::sort(history.anchors, {}, &AnchorRecord::key);

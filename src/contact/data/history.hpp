@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/data/constraint.hpp"
+#include "contact/data/impact_history.hpp"
 #include "contact/data/mortar_history.hpp"
 #include "contact/data/standard_tolerances.hpp"
 #include "core/record_table.hpp"
@@ -58,6 +59,7 @@ struct History {
   std::vector<AnchorRecord> anchors;
   std::vector<LimitRecord> limits;
   std::vector<BirthRecord> births;
+  std::vector<ImpactRecord> impacts;
   MortarHistory mortar;
 
   void clear() {
@@ -66,6 +68,7 @@ struct History {
     anchors.clear();
     limits.clear();
     births.clear();
+    impacts.clear();
   }
 };
 
@@ -116,8 +119,9 @@ void for_each_unmet(std::span<const Row> rows, std::span<const HistoryRecord> re
   }
 }
 
-/// Converts the history to tables for checkpoints and the state hash, and back.
-using HistoryTables = std::array<RecordTable, 6>;
+/// Converts the history to tables for checkpoints and the state hash, and back. The last one is that of impacts, which
+/// only scenes with Impact::elastic have.
+using HistoryTables = std::array<RecordTable, 7>;
 void to_tables(const History& history, HistoryTables& tables);
 /// Without mortar rows, whose tables mortar_heads_from and mortar_terms_from read.
 History from_tables(const HistoryTables& tables);

@@ -92,6 +92,12 @@ struct Rebuild {
   friend bool operator==(const Rebuild&, const Rebuild&) = default;
 };
 
+/// What becomes of the energy of the layers of elements that meet (src/contact/enforcement/IMPACT.md).
+enum class Impact : std::int8_t {
+  plastic,  ///< contact takes it: a perfectly plastic impact of the half elements at the surfaces
+  elastic   ///< each row returns it as it opens, unless adjacent elements have flowed; of rate and row_sum
+};
+
 struct EnforcementSettings {
   Method method = Method::rate;
   double tolerance = 1e-3;  ///< of the residual, relative to the largest violation by the predicted velocities
@@ -110,6 +116,7 @@ struct EnforcementSettings {
   /// The same for rows between rigid bodies, which are redundant: without softness stacks need several times as many
   /// iterations.
   double softness_of_bodies = 0.05;
+  Impact impact = Impact::plastic;
   bool averaged = false;   ///< of two passes: see Passes::averaged; penalty, kinematic and printed methods always
   double partition = 1;    ///< beta of (24): share of the gap that one pass closes
   double stiffness = 0.1;  ///< of penalties, in units of 1 / (H dt^2); at most 2

@@ -4,31 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 
-#include "core/fixed_sum.hpp"
+#include "contact/enforcement/island_sums.hpp"
 
 namespace brunt::contact {
 namespace {
 
-/// Digits of the sums, and of the sums of what they leave: 2^22 rows of an island fit in 63 bits.
-constexpr int digits = 40;
 /// Share of the largest term below which an energy is rounding of velocities: a thousand times its last bit.
 constexpr double rounding = 1e-13;
 constexpr std::size_t terms_of_energy = 3;
-constexpr std::size_t parts_of_sum = 2;
-
-/// A sum of terms up to a bound as two whole numbers, exact in any order.
-struct SplitUnit {
-  FixedUnit coarse, fine;
-  explicit SplitUnit(double bound) : coarse(bound, digits), fine(std::ldexp(bound, -digits), digits) {}
-  void add(double term, std::int64_t* sum) const {
-    const std::int64_t units = coarse.of(term);
-    sum[0] += units;
-    sum[1] += fine.of(term - coarse.value(units));
-  }
-  [[nodiscard]] double value(const std::int64_t* sum) const { return coarse.value(sum[0]) + fine.value(sum[1]); }
-};
 
 /// Terms of E(theta) = linear theta + quadratic theta^2 / 2 - stored.
 struct Energy {
@@ -60,37 +44,6 @@ Energy energy_of_row(const System& system, std::size_t q, const Vec3& impulse, s
   return energy;
 }
 
-/// Sums of all islands, of all ranks. bounds: largest |term| of each.
-std::vector<Energy> sums_of_islands(std::span<const Energy> of_rows, const Islands& islands, Exchange& exchange,
-                                    std::vector<double>& bounds) {
-  const std::size_t count = islands.labels.size();
-  bounds.assign(count, 0.0);
-  for (std::size_t q = 0; q < of_rows.size(); ++q)
-    if (const LocalIndex island = islands.of_row[q]; island != no_index)
-      for (const double term : of_rows[q].terms()) keep_max(nth(bounds, island), std::abs(term));
-  exchange.max(bounds);
-  constexpr std::size_t width = terms_of_energy * parts_of_sum;
-  std::vector<std::int64_t> sums(width * count, 0);
-  for (std::size_t q = 0; q < of_rows.size(); ++q) {
-    if (islands.of_row[q] == no_index) continue;
-    const auto island = static_cast<std::size_t>(islands.of_row[q]);
-    const SplitUnit unit(bounds[island]);
-    std::int64_t* sum = &sums[width * island];
-    for (const double term : of_rows[q].terms()) {
-      unit.add(term, sum);
-      sum += parts_of_sum;
-    }
-  }
-  exchange.sum(sums);
-  std::vector<Energy> energies(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const SplitUnit unit(bounds[i]);
-    const std::int64_t* sum = &sums[width * i];
-    energies[i] = {unit.value(sum), unit.value(sum + parts_of_sum), unit.value(sum + 2 * parts_of_sum)};
-  }
-  return energies;
-}
-
 }  // namespace
 
 double share_without_gain(double linear, double quadratic, double stored) {
@@ -109,15 +62,18 @@ void guard_energy(const System& system, Exchange& exchange, std::span<Vec3> impu
   for (std::size_t q = 0; q < rows; ++q) takes_part[q] = impulses[q].isZero(0) && scratch.borne[q].isZero(0) ? 0 : 1;
   Islands islands;
   find_islands(system, takes_part, exchange, islands);
-  std::vector<Energy> of_rows(rows);
+  std::vector<double> of_rows(terms_of_energy * rows);
   for (std::size_t q = 0; q < rows; ++q)
-    if (islands.of_row[q] != no_index) of_rows[q] = energy_of_row(system, q, impulses[q], velocity, scratch);
-  std::vector<double> bounds;
-  const std::vector<Energy> energies = sums_of_islands(of_rows, islands, exchange, bounds);
-  std::vector<double> share(energies.size(), 1.0);
+    if (islands.of_row[q] != no_index)
+      std::ranges::copy(energy_of_row(system, q, impulses[q], velocity, scratch).terms(),
+                        &of_rows[terms_of_energy * q]);
+  IslandSums sums;
+  sum_over_islands(of_rows, terms_of_energy, islands, exchange, sums);
+  std::vector<double> share(islands.labels.size(), 1.0);
   for (std::size_t i = 0; i < share.size(); ++i) {
-    const auto& [linear, quadratic, stored] = energies[i];
-    if (linear + 0.5 * quadratic - stored <= rounding * bounds[i]) continue;
+    const double* energy = &sums.values[terms_of_energy * i];
+    const double linear = energy[0], quadratic = energy[1], stored = energy[2];
+    if (linear + 0.5 * quadratic - stored <= rounding * sums.bounds[i]) continue;
     share[i] = share_without_gain(linear, quadratic, stored);
     ++result.scaled_islands;
     result.least_share = std::min(result.least_share, share[i]);

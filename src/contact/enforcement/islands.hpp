@@ -18,7 +18,7 @@ struct Islands {
   std::vector<LocalIndex> of_row;  ///< island of each row of this rank; no_index: it takes no part
   std::vector<double> node_label;  ///< largest label of what is connected, a contact node each
   std::vector<double> body_label;  ///< the same, a body each
-  UnionFind joined;                ///< nodes, then bodies
+  UnionFind joined = UnionFind();  ///< nodes, then bodies
 
   void reserve(std::size_t rows, std::size_t nodes, std::size_t bodies);
 };

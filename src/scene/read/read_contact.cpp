@@ -130,8 +130,8 @@ void judge_mortar(const Key& map, const ContactEntry& contact) {
   refuse(contact.tied && has(map, "edges"), "edges",
          "invalid with tied: true, which holds what meets at the start; expected no such key");
   refuse_any(map,
-             {"passes", "tolerance", "max_iterations", "softness", "partition", "stiffness", "damping", "competing",
-              "rebuild"},
+             {"passes", "tolerance", "max_iterations", "softness", "impact", "partition", "stiffness", "damping",
+              "competing", "rebuild"},
              "invalid with method: mortar; expected multiplier, enforce, slave, consistent, edges, friction or tied");
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 using contact::Criterion;
 using contact::EnforcementSettings;
+using contact::Impact;
 using contact::Method;
 using contact::Rebuild;
 
@@ -23,6 +24,11 @@ constexpr Range to_two{0, 2, false, true, "a number > 0 and <= 2"};
 const Choices<Rebuild::When>& rebuild_words() {
   static const Choices<Rebuild::When> words{
       {{"auto", Rebuild::When::motion_used_up}, {"random", Rebuild::When::random}}, {}};
+  return words;
+}
+
+const Choices<Impact>& impact_words() {
+  static const Choices<Impact> words{{{"plastic", Impact::plastic}, {"elastic", Impact::elastic}}, {}};
   return words;
 }
 
@@ -58,6 +64,9 @@ std::vector<Row<EnforcementSettings>> rows_of_settings() {
        "Compliance softness dt^2/m of the constraints of two passes and between rigid bodies, there with the mass of "
        "the heaviest of a chain ([measurements](../../cases/README.md#softness-of-contact)).",
        fmt::format("{}; rigid bodies {}", Settings{}.softness, Settings{}.softness_of_bodies)},
+      {"impact", value(&Settings::impact, impact_words()), "-",
+       "`plastic`: contact takes the energy of the half elements that meet. `elastic`: it returns this energy as they "
+       "separate, unless adjacent elements have flowed ([impact](../contact/enforcement/IMPACT.md))."},
       {"partition", value(&Settings::partition, courant), "-",
        "Of `kinematic`: share of the gap that one correction closes."},
       {"stiffness", value(&Settings::stiffness, to_two), "-",
@@ -88,8 +97,9 @@ std::vector<Row<Enforcement>> rows_of_enforcement() {
 /// The values of all keys.
 auto values_of(const Enforcement& enforcement) {
   const EnforcementSettings& settings = enforcement.settings;
-  return std::tuple(settings.method, settings.tolerance, settings.max_iterations, settings.softness, settings.partition,
-                    settings.stiffness, settings.damping, enforcement.competing, enforcement.rebuild);
+  return std::tuple(settings.method, settings.tolerance, settings.max_iterations, settings.softness, settings.impact,
+                    settings.partition, settings.stiffness, settings.damping, enforcement.competing,
+                    enforcement.rebuild);
 }
 
 constexpr std::string_view printed_overcorrects =
@@ -107,16 +117,39 @@ void warn_of_unused(const Key& map, Method method) {
   unused("softness", method == Method::rate || method == Method::row_sum, "rate or row_sum");
 }
 
-/// Softness has no effect on the mean of two passes. The warning stands where it is given last.
-void warn_of_softness(const Key& scene, const Input& input) {
-  const bool averaged = std::ranges::any_of(
-      input.contact, [](const ContactEntry& entry) { return entry.passes == contact::Passes::averaged; });
-  if (!averaged || !(input.enforcement.settings.softness > 0)) return;
+bool averages(const Input& input) {
+  return std::ranges::any_of(input.contact,
+                             [](const ContactEntry& entry) { return entry.passes == contact::Passes::averaged; });
+}
+
+/// Where a key of the section or of an entry is given last.
+std::optional<Key> last_given(const Key& scene, const char* name) {
   std::optional<Key> last;
-  if (const Key section = at(scene, "enforcement"); has(section, "softness")) last = at(section, "softness");
+  if (const Key section = at(scene, "enforcement"); has(section, name)) last = at(section, name);
   for (const Key& entry : items(at(scene, "contact"), ""))
-    if (has(entry, "softness")) last = at(entry, "softness");
-  if (last) warn(*last, "no effect where a contact has passes: averaged");
+    if (has(entry, name)) last = at(entry, name);
+  return last;
+}
+
+/// Softness has no effect on the mean of two passes.
+void warn_of_softness(const Key& scene, const Input& input) {
+  if (!averages(input) || !(input.enforcement.settings.softness > 0)) return;
+  if (const std::optional<Key> last = last_given(scene, "softness"))
+    warn(*last, "no effect where a contact has passes: averaged");
+}
+
+/// Energy is returned within one system of all rows that holds their rates exactly.
+void judge_impact(const Key& scene, const Input& input) {
+  const EnforcementSettings& settings = input.enforcement.settings;
+  const std::optional<Key> last = last_given(scene, "impact");
+  if (settings.impact != Impact::elastic || !last) return;
+  if (settings.method != Method::rate && settings.method != Method::row_sum)
+    fault(*last,
+          fmt::format("invalid impact elastic with method {}; expected method rate or row_sum, or impact plastic",
+                      contact::name_of(settings.method)));
+  else if (averages(input))
+    fault(*last,
+          "invalid impact elastic with passes averaged; expected passes auto, one, two or mortar, or impact plastic");
 }
 
 }  // namespace
@@ -157,6 +190,7 @@ void judge_enforcement_of_entry(const Key& entry, const Enforcement& given, cons
 
 void judge_enforcement(const Key& scene, const Input& input) {
   warn_of_softness(scene, input);
+  judge_impact(scene, input);
   const Key section = at(scene, "enforcement");
   if (!is_map(section)) return;
   if (input.contact.empty() && input.rigid_walls.empty()) warn(section, "no effect without contact or rigid_walls");
