@@ -71,7 +71,7 @@ def run(scene, law, settings=()):
             command += ["--set", setting]
         environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
         done = subprocess.run(command, capture_output=True, text=True, env=environment)
-        if done.returncode not in (0, 3):
+        if done.returncode != 0:
             sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr}{scene if len(scene) < 4000 else ''}")
         return Result(os.path.join(folder, "out"))
 

@@ -53,9 +53,11 @@ double rounding_of_joints(const model::Scratch& scratch, double extent) {
 /// another.
 Gives gives(const Prepared& run) {
   if (run.overlaps.recovered) return Gives::parting;
-  const contact::Method method = run.model.touching.contact.enforcement.method;
+  const contact::EnforcementSettings& settings = run.model.touching.contact.enforcement;
+  const contact::Method method = settings.method;
   const bool springs = method == contact::Method::gap_penalty || method == contact::Method::penalty;
-  return run.implicit || springs ? Gives::stored : Gives::nothing;
+  const bool elastic = settings.impact == contact::Impact::elastic;  // what rows keep as a bank is booked as taken
+  return run.implicit || springs || elastic ? Gives::stored : Gives::nothing;
 }
 
 /// Whether faults of energies are judged at the end, as shares of the energy of the whole run: see note_worst.
