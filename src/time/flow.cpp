@@ -44,7 +44,7 @@ void plan(const model::Model& model, std::span<const LocalIndex> surface, Surfac
 
 /// Of an element, over its points; 0 once it has been removed.
 double plastic_strain(const model::ElementBlock& block, const model::State& state, std::size_t b, LocalIndex e) {
-  if (!state.alive[b].empty() && !(nth(state.alive[b], e) > 0)) return 0;
+  if (b < state.alive.size() && !state.alive[b].empty() && !(nth(state.alive[b], e) > 0)) return 0;
   if (always_flows(block)) return std::numeric_limits<double>::infinity();
   const model::HistoryRange* range = block.find("plastic_strain");
   double sum = 0;

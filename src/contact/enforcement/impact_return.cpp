@@ -46,7 +46,8 @@ void require_returns(std::span<const ImpactRow> of_rows, std::span<const double>
   }
 }
 
-/// Of the work beyond that of p_0, linear theta + quadratic theta^2 / 2: along the normal and in all; and w B.
+/// Of the work beyond that of p_0, linear theta + quadratic theta^2 / 2: along the normal and in all; and w B, or what
+/// the row owes.
 std::array<double, terms_of_work> work_of_row(const System& system, std::size_t q, const Vec3& impulse,
                                               std::span<const Vec3> velocity, const ImpactScratch& impact) {
   const Vec3& normal = system.rows.laws[q].normal;
@@ -55,7 +56,7 @@ std::array<double, terms_of_work> work_of_row(const System& system, std::size_t 
   const Vec3 both = rate + before_relative_to_wall(system, q);
   return {0.5 * (normal.dot(more) * normal.dot(both) + normal.dot(impact.first[q]) * normal.dot(change)),
           normal.dot(more) * normal.dot(change), 0.5 * (more.dot(both) + impact.first[q].dot(change)), more.dot(change),
-          impact.rows[q].offered};
+          impact.rows[q].offered > 0 ? impact.rows[q].offered : std::min(0.0, impact.rows[q].state.bank)};
 }
 
 /// theta of each island. Collective.
