@@ -58,8 +58,8 @@ class Result:
         return self.summary["loop_s"] * (self.summary["share"]["enforcement"] + self.summary["share"]["search"])
 
 
-def run(scene, law, settings=()):
-    """Of a text, or of a file."""
+def run(scene, law, settings=(), codes=(0,)):
+    """Of a text, or of a file. codes: accepted exit codes; 3: stopped by a guard."""
     with tempfile.TemporaryDirectory() as folder:
         path = scene
         if "\n" in scene:
@@ -71,7 +71,7 @@ def run(scene, law, settings=()):
             command += ["--set", setting]
         environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
         done = subprocess.run(command, capture_output=True, text=True, env=environment)
-        if done.returncode != 0:
+        if done.returncode not in codes:
             sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr}{scene if len(scene) < 4000 else ''}")
         return Result(os.path.join(folder, "out"))
 
@@ -238,13 +238,13 @@ def cases(chosen=tuple(CASES)):
     table("case: energy taken by contact and walls; least; iterations; steps at the limit; seconds in contact; greatest force", rows)
 
 
-def boxes(seeds=range(1, 101)):
+def boxes(seeds=range(1, 101), end=0.06):
     """Random boxes that fall on each other: what contact gives at most, over the energy of the start."""
     rows, figures = [], {law: {} for law in LAWS}
     for seed in seeds:
-        scene = falling_boxes.scene(seed, 0.1).replace("output:", "history: {every: 1.0e-6}\noutput:")
+        scene = falling_boxes.scene(seed, end).replace("output:", "history: {every: 1.0e-6}\noutput:")
         for law in LAWS:
-            result = run(scene, law)
+            result = run(scene, law, codes=(0, 3))  # coarse boxes at these speeds may fold, with either law
             figures[law][seed] = (result.given, result.summary["contact"]["steps_at_limit"], result.summary["contact"]["iterations_mean"],
                                   result["contact"][-1] / result.start, result.summary["energy"]["error_ratio"], result.contact_seconds)
     for name, index, kind in (("largest energy given", 0, max), ("steps at the limit, in all", 1, sum), ("iterations, mean", 2, numpy.mean),

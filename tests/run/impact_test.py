@@ -39,7 +39,7 @@ parts: {floor: {material: steel}, metal: {material: lead}, soft: {material: rubb
 fixed: [{set: floor_zmin, dofs: [x, y, z]}]
 initial: [{part: metal, velocity: [4, 0, -8]}, {part: soft, velocity: [0, 3, -20]}, {part: hard, velocity: [-5, 0, -10]}]
 contact: [{between: all, friction: 0.2, passes: PASSES}]
-rigid_walls: [{name: side, point: [0.19, 0, 0], normal: [-1, 0, 0], friction: 0.1}]
+rigid_walls: [{name: side, point: [0.205, 0, 0], normal: [-1, 0, 0], friction: 0.1}]
 enforcement: {impact: elastic}
 run: {end: 0.012}
 history: {every: 1.0e-4}

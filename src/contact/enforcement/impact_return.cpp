@@ -46,8 +46,17 @@ void require_returns(std::span<const ImpactRow> of_rows, std::span<const double>
   }
 }
 
-/// Of the work beyond that of p_0, linear theta + quadratic theta^2 / 2: along the normal and in all; and w B, or what
-/// the row owes.
+/// p_0 (r_- + r_0)/2 along the normal.
+double work_of_first(const ImpactStep& step) {
+  return 0.5 * step.push * (step.before + step.after);
+}
+
+/// What the row may do beyond its work by p_0: w B less what p_0 gives already; or minus what it owes.
+double allowance(const ImpactRow& row) {
+  return row.offered > 0 ? row.offered - std::max(0.0, work_of_first(row.step)) : std::min(0.0, row.state.bank);
+}
+
+/// Of the work beyond that of p_0, linear theta + quadratic theta^2 / 2: along the normal and in all; the allowance.
 std::array<double, terms_of_work> work_of_row(const System& system, std::size_t q, const Vec3& impulse,
                                               std::span<const Vec3> velocity, const ImpactScratch& impact) {
   const Vec3& normal = system.rows.laws[q].normal;
@@ -56,7 +65,7 @@ std::array<double, terms_of_work> work_of_row(const System& system, std::size_t 
   const Vec3 both = rate + before_relative_to_wall(system, q);
   return {0.5 * (normal.dot(more) * normal.dot(both) + normal.dot(impact.first[q]) * normal.dot(change)),
           normal.dot(more) * normal.dot(change), 0.5 * (more.dot(both) + impact.first[q].dot(change)), more.dot(change),
-          impact.rows[q].offered > 0 ? impact.rows[q].offered : std::min(0.0, impact.rows[q].state.bank)};
+          allowance(impact.rows[q])};
 }
 
 /// theta of each island. Collective.
@@ -75,9 +84,9 @@ void find_shares(const System& system, Exchange& exchange, std::span<const Vec3>
   impact.share.resize(impact.islands.labels.size());
   for (std::size_t i = 0; i < impact.share.size(); ++i) {
     const double* work = &impact.sums.values[terms_of_work * i];
-    const double offered = work[4];
-    impact.share[i] = offered > 0 ? std::min(share_without_gain(work[0], work[1], offered),
-                                             share_without_gain(work[2], work[3], offered))
+    const double allowed = work[4];
+    impact.share[i] = allowed > 0 ? std::min(share_without_gain(work[0], work[1], allowed),
+                                             share_without_gain(work[2], work[3], allowed))
                                   : 0.0;
   }
 }
@@ -172,8 +181,9 @@ void follow_impacts(const System& system, double dt, std::span<const Vec3> impul
     if (gave || open) continue;
     const Vec3& normal = system.rows.laws[q].normal;
     const double rates = row.step.before + normal.dot(relative_to_wall(system.rows, q, velocity));
-    impact.states[q] = closed_state(row.state, row.step, 0.5 * normal.dot(impulses[q]) * rates,
-                                    dt / (impact_numbers.memory * row.transit));
+    // what it takes of the returns of its neighbours is not taken from the bodies
+    const double work = std::max(work_of_first(row.step), 0.5 * normal.dot(impulses[q]) * rates);
+    impact.states[q] = closed_state(row.state, row.step, work, dt / (impact_numbers.memory * row.transit));
   }
 }
 

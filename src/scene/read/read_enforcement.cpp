@@ -126,6 +126,7 @@ bool averages(const Input& input) {
 std::optional<Key> last_given(const Key& scene, const char* name) {
   std::optional<Key> last;
   if (const Key section = at(scene, "enforcement"); has(section, name)) last = at(section, name);
+  if (!has(scene, "contact")) return last;
   for (const Key& entry : items(at(scene, "contact"), ""))
     if (has(entry, name)) last = at(entry, name);
   return last;
