@@ -366,16 +366,6 @@ TEST_CASE("enforcement is a section of its own; entries of contact may say the s
   CHECK_THAT(useless.warnings[1], Catch::Contains("enforcement.damping: no effect except with method penalty"));
 }
 
-TEST_CASE("impacts are plastic unless the scene says otherwise", "[scene]") {
-  using contact::Impact;
-  CHECK(read_with({}).enforcement.settings.impact == Impact::plastic);
-  CHECK(read_with({"enforcement.impact=elastic"}).enforcement.settings.impact == Impact::elastic);
-  const Input entry = read_with({"contact.0.impact=elastic", "contact.0.method=row_sum"});
-  CHECK(entry.enforcement.settings.impact == Impact::elastic);
-  CHECK(entry.warnings.empty());
-  CHECK(read_with({"enforcement.impact=plastic", "enforcement.method=penalty"}).warnings.empty());
-}
-
 TEST_CASE("softness does nothing where passes are averaged, and a warning says so", "[scene]") {
   const Input averaged = read_with({"contact.0.slave=auto", "contact.0.passes=averaged", "contact.0.softness=0.1"});
   REQUIRE(averaged.warnings.size() == 1);
