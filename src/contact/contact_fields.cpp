@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/anchors/mortar_ties.hpp"
 #include "contact/contact.hpp"
 #include "mortar_step.hpp"
 #include "slave.hpp"
@@ -69,12 +70,13 @@ std::vector<double> pressures(const Contact& contact, double dt) {
     const Row& row = rows[q];
     if (row.is_edge()) continue;
     const std::size_t node = model_slave(contact, row);
-    const double area = row.is_wall()     ? area_on_wall(contact, row)
-                        : row.is_mortar() ? area_of_mortar_row(contact, row)
-                                          : area_of_slave(contact, row);
+    const double area = row.is_wall()         ? area_on_wall(contact, row)
+                        : row.is_mortar()     ? area_of_mortar_row(contact, row)
+                        : row.is_mortar_tie() ? find_mortar_tie(contact.tied.mortar, row.key)->area
+                                              : area_of_slave(contact, row);
     double push = row.normal.dot(impulses[q]);
-    if (two_passes && !row.is_wall() &&
-        !row.is_mortar()) {  // the rows that it is a master's corner of push a node as well, or alone
+    if (two_passes && !row.is_wall() && !row.is_mortar() &&
+        !row.is_mortar_tie()) {  // the rows that it is a master's corner of push a node as well, or alone
       const double share = pushes[node] > 0 ? push / pushes[node] : 1 / count[node];
       push = share * std::max(0.0, row.normal.dot(given[node]));
     }

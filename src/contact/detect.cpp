@@ -34,7 +34,8 @@ double measured_separation(const Contact& contact, const StepInput& input) {
   const ContactLists& lists = contact.lists;
   if (lists.mortar.any) return 0;  // weights are integrated as soon as faces are near
   const StepView view = view_of(contact, input.dt);
-  double least = contact.tied.ties.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  const bool tied = !contact.tied.ties.empty() || !contact.tied.mortar.rows.empty();
+  double least = tied ? 0.0 : std::numeric_limits<double>::infinity();
   least = std::min(least, separation_of_faces(view, lists.candidates, contact.step.scratch.detection.reach));
   least = std::min(least, separation_of_edges(view, lists.edges));
   least = std::min(least, separation_of_walls(view, lists.wall_candidates, input.walls));

@@ -9,6 +9,7 @@
 #include "detect.hpp"
 #include "gather.hpp"
 #include "rebuild_lists.hpp"
+#include "tied_facets.hpp"
 #include "tied_parts.hpp"
 
 namespace brunt::contact {
@@ -35,7 +36,8 @@ std::vector<AcceptedOverlap> overlaps_of(std::span<const Row> rows, const std::s
 }
 
 /// Lists and positions of contact nodes as they are before anything moves.
-void gather_start(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls) {
+void gather_start(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls,
+                  FacetPairs facets) {
   std::vector<Vec3> still(reference.size(), Vec3::Zero());
   const MutableVectorView velocity{reinterpret_cast<double*>(still.data())};
   const StepInput input{.position = {reinterpret_cast<const double*>(reference.data())},
@@ -43,7 +45,7 @@ void gather_start(Contact& contact, const std::vector<Vec3>& reference, std::spa
                         .velocity = velocity,
                         .walls = walls,
                         .dt = any_step};
-  rebuild(contact, input);
+  rebuild(contact, input, facets);
   if (contact.lists.any_rows) gather(input, contact.list_state.gather, contact.lists, contact.step);
 }
 
@@ -68,7 +70,7 @@ void keep_overlaps(Contact& contact, const std::vector<Vec3>& reference, std::sp
   }
   std::vector<AcceptedOverlap>& accepted = contact.derived.detection.accepted;
   accepted.clear();
-  gather_start(contact, reference, walls);
+  gather_start(contact, reference, walls, contact.derived.mortar ? FacetPairs::mortar : FacetPairs::none);
   const StepInput at_rest{.position = {}, .old_velocity = {}, .velocity = {}, .walls = walls, .dt = any_step};
   if (contact.lists.any_rows) find_rows(contact, at_rest);
   const std::vector<std::vector<AcceptedOverlap>> to_all(static_cast<std::size_t>(contact.ranks.size()),
@@ -82,9 +84,21 @@ void keep_overlaps(Contact& contact, const std::vector<Vec3>& reference, std::sp
 
 void make_ties(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls) {
   if (!contact.derived.tied) return;
-  gather_start(contact, reference, walls);
+  gather_start(contact, reference, walls, FacetPairs::tied);
   contact.tied = find_tied_parts(contact);
   forget_start(contact);
+}
+
+void renew_ties(Contact& contact, const std::vector<Vec3>& reference, std::span<const mesh::ExteriorFace> faces) {
+  if (!contact.derived.tied) return;
+  std::vector<TiedPair> pairs = pairs_left(contact, faces);
+  if (!contact.ranks.any(pairs != contact.tied.pairs_in_use)) return;
+  contact.tied.mortar = {};
+  const ContactStatistics before = contact.ledger.statistics;
+  gather_start(contact, reference, contact.walls_at_start, FacetPairs::tied);
+  contact.tied.mortar = find_mortar_ties(contact, &pairs);
+  contact.tied.pairs_in_use = std::move(pairs);
+  contact.ledger.statistics = before;
 }
 
 }  // namespace brunt::contact

@@ -12,4 +12,9 @@ void keep_overlaps(Contact& contact, const std::vector<Vec3>& reference, std::sp
 /// Fills contact.tied, where any pair is tied. Collective.
 void make_ties(Contact& contact, const std::vector<Vec3>& reference, std::span<const Wall> walls);
 
+/// After a removal of elements: ties over facets are integrated again, in the geometry of the start, over the facets
+/// that are left of it. faces: remaining on this rank, ascending by key; contact.surface already refers to them.
+/// Collective.
+void renew_ties(Contact& contact, const std::vector<Vec3>& reference, std::span<const mesh::ExteriorFace> faces);
+
 }  // namespace brunt::contact

@@ -159,6 +159,7 @@ void update_surface(Contact& contact, const mesh::LocalMesh& mesh, const Remains
   contact.derived.detection.fitted = std::move(fitted);
   release_ties(contact, remains.outside.faces);
   if (contact.derived.mortar) forget_changed_rows(before, contact);
+  renew_ties(contact, mesh.coordinates, remains.outside.faces);
   if (contact.derived.remembers) move_history(contact);
   contact.list_state.exist = false;
   contact.elements_are_gone =

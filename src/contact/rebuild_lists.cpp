@@ -6,9 +6,11 @@
 #include "contact/anchors/anchors.hpp"
 #include "contact/data/tolerances.hpp"
 #include "core/error.hpp"
+#include "core/sorted.hpp"
 #include "gather.hpp"
 #include "memory.hpp"
 #include "mortar_step.hpp"
+#include "tied_facets.hpp"
 #include "tied_parts.hpp"
 
 namespace brunt::contact {
@@ -71,19 +73,23 @@ double start_motion(const Surface& surface, const StepInput& input, ListMotion& 
   return fastest;
 }
 
-ContactLists lists_of(Contact& contact, std::span<const Wall> walls) {
+ContactLists lists_of(Contact& contact, std::span<const Wall> walls, FacetPairs facets) {
   const DerivedSettings& derived = contact.derived;
   const Tolerances& tolerances = *derived.detection.tolerances;
   ListState& state = contact.list_state;
-  std::vector<GlobalIndex> kept;
+  std::vector<GlobalIndex> kept, tied = contact.tied.mortar.nodes.values;
   if (derived.mortar) kept = nodes_of_kept_rows(contact.history.mortar);
+  sort_unique(tied);
   const ListSettings reach{.tolerances = &tolerances,
                            .wall_capture = tolerances.capture * derived.detection.wall_size,
                            .motion = state.motion_allowed,
                            .faces = derived.bodies,
                            .two_passes = derived.two_passes,
-                           .mortar = derived.mortar,
+                           .facets = facets,
+                           .keeps = derived.mortar || derived.tied,
                            .kept = kept,
+                           .tied = tied,
+                           .tied_rows = contact.tied.mortar.rows.size(),
                            .wall_facets = contact.settings.wall_pressures,
                            .thickness = contact.settings.blocks.thickness,
                            .search = contact.settings.search};
@@ -123,18 +129,30 @@ void size_nodes(const Contact& contact, ContactLists& lists, ContactNodes& nodes
     nodes.reference = of_contact_nodes<Vec3>(lists, contact.surface_nodes.reference, Vec3::Zero());
 }
 
+/// Ties with integrated weights have more points than rows of detection.
+RowRoom room_of(std::size_t most_rows, const TiedParts& tied) {
+  RowRoom room{.rows = most_rows};
+  for (LocalIndex r = 0; r < tied.mortar.nodes.rows(); ++r)
+    room.points_of_a_row = std::max(room.points_of_a_row, tied.mortar.nodes.row(r).size());
+  const std::size_t wide = tied.mortar.nodes.values.size();
+  room.entries = most_nodes_of_a_row * most_rows + wide;
+  room.arms = most_nodes_of_a_row * tied.ties.size() + wide;
+  return room;
+}
+
 /// All that grows with the rows that these lists can give.
-void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std::size_t ties, std::size_t bodies,
+void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, const TiedParts& tied, std::size_t bodies,
                   StepData& step, History& history) {
   StepScratch& scratch = step.scratch;
   scratch.detection.reserve(lists.faces.size(), step.facet_area.size(), lists.most_faces_of_a_slave);
   scratch.holds.reserve(lists.nodes.gid.size());
-  const std::size_t most_rows = lists.most_rows + ties;
+  const std::size_t most_rows = lists.most_rows + tied.ties.size();
+  const RowRoom room = room_of(most_rows, tied);
   step.rows.reserve(most_rows);
   scratch.row_sort.reserve(most_rows);
   step.impulses.reserve(most_rows);
-  scratch.enforcement.reserve(most_rows, ties, lists.nodes.gid.size());
-  if (derived.two_passes) scratch.enforcement.reserve_passes(most_rows, ties);
+  scratch.enforcement.reserve(room, lists.nodes.gid.size());
+  if (derived.two_passes) scratch.enforcement.reserve_passes(room);
   if (bodies > 0) scratch.enforcement.reserve_bodies(most_rows, lists.nodes.gid.size(), bodies);
   if (derived.elastic_impact) {
     scratch.impact.reserve(most_rows, lists.nodes.gid.size(), bodies);
@@ -153,7 +171,7 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, std
 
 }  // namespace
 
-void rebuild(Contact& contact, const StepInput& input) {
+void rebuild(Contact& contact, const StepInput& input, FacetPairs facets) {
   const DerivedSettings& derived = contact.derived;
   const Surface& surface = contact.surface;
   ListState& state = contact.list_state;
@@ -162,12 +180,13 @@ void rebuild(Contact& contact, const StepInput& input) {
   const double fastest = start_motion(surface, input, state.motion);
   state.motion_allowed =
       std::max(contact.settings.motion_share * surface.mean_element_depth, 4 * input.dt * contact.ranks.max(fastest));
-  lists = lists_of(contact, input.walls);
+  lists = lists_of(contact, input.walls, facets);
   state.exist = true;
   ++contact.ledger.statistics.searches;
 
   size_nodes(contact, lists, step.nodes);
   if (derived.mortar) place_kept_rows(contact);
+  if (derived.tied) place_mortar_ties(contact);
   if (derived.two_passes) {
     const std::span<const Vec3> starts = state.motion.starts().first(surface.gid.size());
     const std::vector<Vec3> positions = of_contact_nodes<Vec3>(lists, starts, Vec3::Zero());
@@ -176,7 +195,7 @@ void rebuild(Contact& contact, const StepInput& input) {
   state.gather = plan_gather(surface, lists);
   step.own_area.assign(surface.faces.size(), Vec3::Zero());
   step.facet_area.assign(static_cast<std::size_t>(lists.facet_count), Vec3::Zero());
-  reserve_rows(derived, lists, contact.tied.ties.size(), contact.settings.rigid.count, step, contact.history);
+  reserve_rows(derived, lists, contact.tied, contact.settings.rigid.count, step, contact.history);
   if (derived.may_jam) contact.unmet.reserve(lists.most_rows + contact.tied.ties.size(), contact.settings.rigid.count);
   if (derived.friction || derived.may_be_driven || derived.tied) state.faces_by_key = order_by_key(lists.faces);
   if (derived.tied) demand_ties_hold(contact);
@@ -186,7 +205,7 @@ void search(Contact& contact, const StepInput& input, const VelocitySpan& veloci
   demand(input.walls.size() == contact.ledger.sums.wall_impulse.size(), "the number of walls is that of the contact");
   ListState& state = contact.list_state;
   state.are_new = must_rebuild(contact) || motion_is_used_up(contact, input, velocities);
-  if (state.are_new) rebuild(contact, input);
+  if (state.are_new) rebuild(contact, input, contact.derived.mortar ? FacetPairs::mortar : FacetPairs::none);
   state.last_dt = input.dt;
 }
 

@@ -5,7 +5,7 @@
 
 namespace brunt::contact {
 
-/// Lists for the present positions and predicted velocities. Collective.
-void rebuild(Contact& contact, const StepInput& input);
+/// Lists for the present positions and predicted velocities. facets: of which pairs segments are wanted. Collective.
+void rebuild(Contact& contact, const StepInput& input, FacetPairs facets);
 
 }  // namespace brunt::contact

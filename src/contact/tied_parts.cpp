@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
-#include "comm/rendezvous.hpp"
+#include "contact/anchors/mortar_ties.hpp"
 #include "contact/data/tolerances.hpp"
 #include "core/error.hpp"
 #include "slave.hpp"
+#include "tied_facets.hpp"
 
 namespace brunt::contact {
 namespace {
@@ -19,13 +20,6 @@ const PairTable& pairs_of(const Contact& contact) {
 std::size_t place_count(const Contact& contact) {
   const std::size_t blocks = pairs_of(contact).block_count();
   return contact.derived.tied ? blocks * blocks : 0;
-}
-
-/// The block of the slave that is tied to this one, the first of several; no_index where none is.
-std::int32_t tied_block(const Contact& contact, LocalIndex slave, std::int32_t master_block) {
-  for (const std::int32_t block : contact.surface.blocks.row(surface_node_of(contact, slave)))
-    if (pairs_of(contact).at(block, master_block).tied != Tied::no) return block;
-  return no_index;
 }
 
 TieScene tie_scene(const Contact& contact, double dt) {
@@ -46,38 +40,39 @@ bool nothing_else_acts(const Contact& contact, const Row& row) {
   });
 }
 
-/// Keys of the ties' faces that some rank still has, ascending. Collective.
-std::vector<GlobalIndex> faces_left(const comm::Communicator& ranks, const std::vector<Tie>& ties,
-                                    std::span<const mesh::ExteriorFace> faces) {
-  std::vector<GlobalIndex> keys;
-  for (const Tie& tie : ties) keys.push_back(tie.face);
-  const auto size = static_cast<std::size_t>(ranks.size());
-  const Ragged<GlobalIndex> asked = comm::exchange(ranks, std::vector<std::vector<GlobalIndex>>(size, keys));
-  std::vector<std::vector<GlobalIndex>> here(size);
-  for (Rank r = 0; r < ranks.size(); ++r)
-    for (const GlobalIndex key : asked.row(r))
-      if (std::ranges::binary_search(faces, key, {}, &mesh::ExteriorFace::key)) nth(here, r).push_back(key);
-  std::vector<GlobalIndex> left = comm::exchange(ranks, here).values;
-  std::ranges::sort(left);
-  return left;
+/// Whether the node has facets that are covered.
+bool has_facets_tied(const MortarTies& ties, GlobalIndex slave) {
+  const auto found = std::ranges::lower_bound(ties.held, TiedNode{slave, 0});
+  return found != ties.held.end() && found->first == slave;
 }
 
 }  // namespace
 
-TiedParts find_tied_parts(const Contact& contact) {
+std::int32_t tied_block(const Contact& contact, LocalIndex slave, std::int32_t master_block) {
+  for (const std::int32_t block : contact.surface.blocks.row(surface_node_of(contact, slave)))
+    if (pairs_of(contact).at(block, master_block).tied != Tied::no) return block;
+  return no_index;
+}
+
+TiedParts find_tied_parts(Contact& contact) {
   const ContactLists& lists = contact.lists;
   TiedParts parts;
+  parts.mortar = find_mortar_ties(contact, nullptr);
+  parts.pairs_at_start = parts.pairs_in_use = parts.mortar.pairs;
+  const auto has_facets = [&](LocalIndex slave) { return has_facets_tied(parts.mortar, nth(lists.nodes.gid, slave)); };
   const auto block_of = [&](LocalIndex face) { return nth(lists.faces, face).block; };
   parts.nodes_beside.assign(place_count(contact), 0);
   parts.ties = find_ties(
       lists.candidates, lists.faces, lists.nodes.gid, contact.step.nodes.motion, contact.step.facet_area,
       *contact.derived.detection.tolerances,
-      [&](LocalIndex slave, LocalIndex face) { return tied_block(contact, slave, block_of(face)) != no_index; },
+      [&](LocalIndex slave, LocalIndex face) {
+        return tied_block(contact, slave, block_of(face)) != no_index && !has_facets(slave);
+      },
       [&](LocalIndex slave, LocalIndex face) {
         const std::int32_t block = tied_block(contact, slave, block_of(face));
         ++parts.nodes_beside[pairs_of(contact).place(block, block_of(face))];
       });
-  parts.levers.resize(parts.ties.size());
+  parts.arms.resize(parts.ties.size());
   for (Tie& tie : parts.ties) {
     const auto slave = std::ranges::lower_bound(lists.nodes.gid, tie.slave) - lists.nodes.gid.begin();
     tie.slave_block = tied_block(contact, static_cast<LocalIndex>(slave), tie.block);
@@ -88,6 +83,8 @@ TiedParts find_tied_parts(const Contact& contact) {
 TiedNodes tied_nodes(const Contact& contact) {
   TiedNodes count{std::vector<GlobalIndex>(place_count(contact), 0), contact.tied.nodes_beside};
   for (const Tie& tie : contact.tied.ties) ++count.tied[pairs_of(contact).place(tie.slave_block, tie.block)];
+  for (const MortarTie& row : contact.tied.mortar.rows)
+    if (row.number == 0) ++count.tied[pairs_of(contact).place(row.slave_block, row.block)];
   contact.ranks.sum(count.tied);
   contact.ranks.sum(count.beside);
   return count;
@@ -96,7 +93,9 @@ TiedNodes tied_nodes(const Contact& contact) {
 void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces) {
   std::vector<Tie>& ties = contact.tied.ties;
   if (!contact.derived.tied) return;
-  const std::vector<GlobalIndex> left = faces_left(contact.ranks, ties, faces);
+  std::vector<GlobalIndex> keys;
+  for (const Tie& tie : ties) keys.push_back(tie.face);
+  const std::vector<GlobalIndex> left = keys_left(contact.ranks, std::move(keys), faces);
   const Surface& surface = contact.surface;
   std::erase_if(ties, [&](const Tie& tie) {
     const auto slave = std::ranges::lower_bound(surface.gid, tie.slave) - surface.gid.begin();
@@ -105,12 +104,15 @@ void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces) {
     return !std::ranges::binary_search(left, tie.face) || surface.facets.row(node).empty() ||
            !std::ranges::binary_search(surface.blocks.row(node), tie.slave_block);
   });
-  contact.tied.levers.resize(ties.size());
+  contact.tied.arms.resize(ties.size());
 }
 
 void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std::vector<Row>& rows) {
   const std::size_t first = rows.size();
-  tie_rows(contact.tied.ties, tie_scene(contact, dt), contact.tied.levers, rows);
+  const TieScene scene = tie_scene(contact, dt);
+  tie_rows(contact.tied.ties, scene, contact.tied.arms, rows);
+  append_mortar_ties({contact.tied.mortar, contact.tied.mortar_places, scene.motion, scene.recovery, dt},
+                     contact.tied.mortar_arms, rows);
   for (Row& row : std::span(rows).subspan(first))
     keep_feasible_rate(row, contact.step.nodes.mobility, contact.step.nodes.motion, carriers);
 }
@@ -125,7 +127,8 @@ void drop_tied_rows(const Contact& contact, std::vector<Row>& rows) {
   std::erase_if(rows, [&](const Row& row) {
     if (row.is_wall()) return false;
     if (row.is_edge()) return pairs_of(contact).at(row.slave_block, row.master_block).tied != Tied::no;
-    return find_tie(contact.tied.ties, row.key.slave, row.master_body) != nullptr || nothing_else_acts(contact, row);
+    return find_tie(contact.tied.ties, row.key.slave, row.master_body) != nullptr ||
+           is_held(contact.tied.mortar, row.key.slave, row.master_body) || nothing_else_acts(contact, row);
   });
 }
 

@@ -5,10 +5,13 @@
 
 namespace brunt::contact {
 
-/// From lists and positions of contact nodes at the start.
-TiedParts find_tied_parts(const Contact& contact);
+/// From lists and positions of contact nodes at the start. Collective.
+TiedParts find_tied_parts(Contact& contact);
 
-/// Removes the ties whose face was removed, or whose slave has lost all elements in the tied part. faces: remaining on
+/// The block of the slave (contact node) that is tied to this one, the first of several; no_index where none is.
+std::int32_t tied_block(const Contact& contact, LocalIndex slave, std::int32_t master_block);
+
+/// Removes the pins whose face was removed, or whose slave has lost all elements in the tied part. faces: remaining on
 /// this rank, ascending by key; contact.surface already refers to them. Collective.
 void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces);
 

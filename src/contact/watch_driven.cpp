@@ -29,7 +29,7 @@ bool is_driven(const Row& row, const ContactNodes& nodes, const Carriers& carrie
 
 /// The key names a face.
 bool is_on_face(const Row& row) {
-  return !row.is_wall() && !row.is_edge() && !row.is_mortar();
+  return !row.is_wall() && !row.is_edge() && !row.is_mortar() && !row.is_mortar_tie();
 }
 
 const MasterFace& face_of(const Contact& contact, const Row& row) {

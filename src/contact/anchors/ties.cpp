@@ -102,7 +102,7 @@ const MasterFace* face_of(const Tie& tie, const TieScene& scene) {
 /// How the offset of a slave turns with the corners. What is along the normal turns with the area vector
 /// A = 1/2 sum x_i x x_{i+1}, whose rate is sum c_i x v_i with c_i = (x_{i-1} - x_{i+1}) / 2: the gradient of what the
 /// tie keeps. The little that has crept across goes with the corners' mean spin J^-1 sum d_i x v_i.
-void compute_lever(const Vec3& offset, std::span<const Vec3> corners, const Row& row, Lever& lever) {
+void lay_arms(const Vec3& offset, std::span<const Vec3> corners, const Row& row, TieArms& arms) {
   const std::size_t count = corners.size();
   const Vec3 &normal = row.normal, middle = middle_of(corners);
   const double height = normal.dot(offset);
@@ -113,12 +113,11 @@ void compute_lever(const Vec3& offset, std::span<const Vec3> corners, const Row&
     inertia += arm.transpose() * arm;
   }
   const Mat3 spin = cross_matrix(offset - height * normal) * inertia.inverse();
-  lever = {};
+  arms = {};
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 along = 0.5 * (corners[(i + count - 1) % count] - corners[(i + 1) % count]);
-    lever.turn[i + 1] = spin * cross_matrix(corners[i] - middle) - tilt * cross_matrix(along);
-    lever.bound[i + 1] = lever.turn[i + 1].norm();
-    lever.most = std::max(lever.most, std::abs(row.weights[i + 1]) + lever.bound[i + 1]);
+    arms[i + 1].turn = spin * cross_matrix(corners[i] - middle) - tilt * cross_matrix(along);
+    arms[i + 1].size = arms[i + 1].turn.norm();
   }
 }
 
@@ -148,7 +147,7 @@ double rounding_of_positions(const Row& row, std::span<const NodeMotion> motion)
   return roundings * std::numeric_limits<double>::epsilon() * largest;
 }
 
-Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const TieScene& scene, Lever& lever) {
+Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const TieScene& scene, TieArms& arms) {
   FaceCorners storage;
   const std::span<const Vec3> corners = corners_of(face, scene.motion, storage);
   const LocalIndex slave = nth(scene.candidates.slave, candidate);
@@ -170,8 +169,8 @@ Row row_of(const Tie& tie, LocalIndex candidate, const MasterFace& face, const T
   row.holds = true;
   const Vec3 offset = offset_of(nth(scene.motion, slave).position, corners, tie.weights);
   if (tie.height != 0) {
-    compute_lever(offset, corners, row, lever);
-    row.lever = &lever;
+    lay_arms(offset, corners, row, arms);
+    row.arms = std::span<const Arm>(arms).first(static_cast<std::size_t>(row.node_count));
   }
   const Vec3 crept = offset - tie.height * row.normal;
   row.gap = row.normal.dot(crept);
@@ -197,8 +196,8 @@ Mat3 free_directions(const Carrier& body, const Vec3& position) {
 
 /// G P of the i-th node of the row: how its velocity enters the rate, along the directions that are free to it.
 Mat3 free_part(const Row& row, std::size_t i, const Mat3& free) {
-  Mat3 part = row.weights[i] * free;
-  if (row.lever != nullptr) part += row.lever->turn[i] * free;
+  Mat3 part = row.shares()[i] * free;
+  if (!row.arms.empty()) part += row.arms[i].turn * free;
   return part;
 }
 
@@ -207,11 +206,12 @@ Mat3 free_part(const Row& row, std::size_t i, const Mat3& free) {
 Mat3 held_directions(const Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
                      const Carriers& carriers) {
   Mat3 sum = Mat3::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.node_count); ++i) {
-    const Mobility& node = nth(mobility, row.nodes[i]);
-    const Carrier* body = carriers.of(row.nodes[i]);
+  for (std::size_t i = 0; i < row.points().size(); ++i) {
+    const LocalIndex point = row.points()[i];
+    const Mobility& node = nth(mobility, point);
+    const Carrier* body = carriers.of(point);
     if (node.inverse_mass == 0 && body == nullptr) continue;
-    const Vec3& place = nth(motion, row.nodes[i]).position;
+    const Vec3& place = nth(motion, point).position;
     const Mat3 part = free_part(row, i, body != nullptr ? free_directions(*body, place) : node.projector);
     sum += part * part.transpose();
   }
@@ -278,13 +278,13 @@ bool holds(const Tie& tie, const TieScene& scene) {
   return slave_of(tie, scene) != no_index && face_of(tie, scene) != nullptr;
 }
 
-void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<Lever> levers, std::vector<Row>& rows) {
-  demand(levers.size() == ties.size(), "room for a lever a tie");
+void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<TieArms> arms, std::vector<Row>& rows) {
+  demand(arms.size() == ties.size(), "room for the arms of each tie");
   for (std::size_t t = 0; t < ties.size(); ++t) {
     const LocalIndex slave = slave_of(ties[t], scene);
     const MasterFace* face = face_of(ties[t], scene);
     demand(slave != no_index && face != nullptr, "the lists hold the face of a tie and its slave");
-    rows.push_back(row_of(ties[t], slave, *face, scene, levers[t]));
+    rows.push_back(row_of(ties[t], slave, *face, scene, arms[t]));
   }
 }
 

@@ -5,7 +5,7 @@
 //
 // A node at the height h over its face keeps the position x_s = sum w_i x_i + h n, with n the unit area vector of the
 // face: it is connected as by a rigid pin perpendicular to the face. The row is the gradient of this condition. A
-// common rotation therefore violates nothing, and its impulses have no moment (see Lever). Alternatives: weights over
+// common rotation therefore violates nothing, and its impulses have no moment (see Arm). Alternatives: weights over
 // the nodes of the element behind the face also preserve moments, but stretch the gap with the element, which overloads
 // its layer by h divided by its depth; moving the nodes onto the faces changes the mesh of the user.
 #pragma once
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "contact/data/carriers.hpp"
+#include "contact/data/mortar_ties.hpp"
 #include "contact/detection/detection.hpp"
 
 namespace brunt::contact {
@@ -28,10 +29,18 @@ struct Tie {
   double height = 0;                    ///< over the point of these weights, along the face's area vector [length]
 };
 
-/// The ties of a run, for slaves owned here.
+/// Arms of the row of a tie: of its slave and of the corners of its face.
+using TieArms = std::array<Arm, most_nodes_of_a_row>;
+
+/// The ties of a run, for slaves owned here: rows with integrated weights where facets are covered, pins elsewhere.
 struct TiedParts {
-  std::vector<Tie> ties;                  ///< in ascending order of their slaves
-  std::vector<Lever> levers;              ///< one a tie, of the last step
+  std::vector<Tie> ties;                  ///< pins, in ascending order of their slaves
+  std::vector<TieArms> arms;              ///< one a pin, of the last step
+  MortarTies mortar;                      ///< see mortar_ties.hpp
+  std::vector<LocalIndex> mortar_places;  ///< of their terms: contact nodes
+  std::vector<Arm> mortar_arms;           ///< of their terms, of the last step
+  std::vector<TiedPair> pairs_at_start;  ///< that shared segments at the start, ascending
+  std::vector<TiedPair> pairs_in_use;    ///< those that `mortar` is integrated over
   std::vector<GlobalIndex> nodes_beside;  ///< see TiedNodes, of this rank
 };
 
@@ -70,14 +79,14 @@ const Tie* find_tie(std::span<const Tie> ties, GlobalIndex slave, std::int32_t b
 /// Whether the lists contain the face of a tie and its slave. They do not if the tie is broken.
 bool holds(const Tie& tie, const TieScene& scene);
 
-/// Appends a row for each tie: free along the normal, friction without a limit across it. levers: room for one for each
+/// Appends a row for each tie: free along the normal, friction without a limit across it. arms: room for those of each
 /// tie, with the lifetime of the rows.
-void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<Lever> levers, std::vector<Row>& rows);
+void tie_rows(std::span<const Tie> ties, const TieScene& scene, std::span<TieArms> arms, std::vector<Row>& rows);
 
-/// In directions in which no impulse can change the rate of a tie's row (supports constrain its slave and all corners
-/// of its face), the required rate is set to that of v*. Any other value would come from rounding of positions or
-/// contradict the supports, and no iteration could satisfy it. mobility and motion: of contact nodes; carriers: of
-/// those on rigid bodies.
+/// In directions in which no impulse can change the rate of a tie's row (supports constrain all its points), the
+/// required rate is set to that of v*. Any other value would come from rounding of positions or contradict the
+/// supports, and no iteration could satisfy it. mobility and motion: of contact nodes; carriers: of those on rigid
+/// bodies.
 void keep_feasible_rate(Row& row, std::span<const Mobility> mobility, std::span<const NodeMotion> motion,
                         const Carriers& carriers = {});
 

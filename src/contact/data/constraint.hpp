@@ -55,27 +55,19 @@ constexpr std::size_t most_nodes_of_a_row = 5;
 /// Rows of detection: the slave and the master.
 constexpr std::size_t most_bodies_of_a_row = 2;
 
-/// The lever arm of a node at a distance from its master face: it rotates with the face. The velocity v of each node
-/// contributes turn v to r in addition to its weight, and each node receives turn^T p of an impulse. A common rotation
-/// therefore has no rate, and the impulses have no moment.
-struct Lever {
-  std::array<Mat3, most_nodes_of_a_row> turn = all_zero();  ///< of each node of the row
-  std::array<double, most_nodes_of_a_row> bound{};          ///< bounds of |turn v| / |v|
-  double most = 1;  ///< bound of the part of an impulse that one node receives: the largest |weight| + bound
-
-  /// Default-constructed Eigen matrices are uninitialised.
-  static std::array<Mat3, most_nodes_of_a_row> all_zero() {
-    std::array<Mat3, most_nodes_of_a_row> turn;
-    turn.fill(Mat3::Zero());
-    return turn;
-  }
+/// The lever arm of a point of a row: its velocity v contributes turn v to the rate in addition to its weight, and it
+/// receives turn^T p of an impulse. The points of a tie turn its offset: a common rotation has no rate, and the
+/// impulses have no moment.
+struct Arm {
+  Mat3 turn = Mat3::Zero();
+  double size = 0;  ///< bound of |turn v| / |v|
 };
 
 /// One constraint on the relative velocity r = sum_i weights[i] v[nodes[i]]: normal . r >= required (equality for a
 /// free cone). With friction, also r = drift across the normal as long as the impulse across it stays within friction
 /// times the impulse along it, plus the lagging part. An impulse p [momentum] changes the momentum of node i by
 /// weights[i] p. Rows are ordered by their keys. `points` and `shares` are the nodes and weights of rows of any length;
-/// a mortar row has its own node in nodes[0] and a node of the master in nodes[1].
+/// a mortar row, of a tie or not, has its own node in nodes[0] and a node of the master in nodes[1].
 struct Row {
   RowKey key{};
   std::array<LocalIndex, most_nodes_of_a_row> nodes{};  ///< contact nodes, the slave (or the slave edge's two) first
@@ -91,18 +83,18 @@ struct Row {
   double required = 0;  ///< smallest admissible rate [velocity]: -gap/dt when open, a limited recovery when closed
   Cone cone = Cone::compression;
   Pass pass = Pass::both;
-  double softness = 0;           ///< s of enforcement/softness.hpp; 0: rigid
-  double gap_share = 0;          ///< share of the penetration that `required` recovers
-  double drift_share = 0;        ///< share of the slip that `drift` recovers
-  double wall_rate = 0;          ///< of a moving wall itself, along the normal [velocity]; part of `required`
-  double slab = 0;               ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
-  double friction = 0;           ///< Coulomb coefficient for this step; 0: none
-  bool holds = false;            ///< it constrains the tangential directions without a limit: a tie
-  bool lags = false;             ///< friction follows the pressure late: see FrictionLaw::lag
-  double lagging = 0;            ///< tangential impulse that is admissible for the previous pressure [momentum]
-  double noise = 0;              ///< bound of the error of the required rate due to rounding of positions [velocity]
-  Vec3 drift = Vec3::Zero();     ///< tangential velocity required in sticking [velocity]: recovers the slip
-  const Lever* lever = nullptr;  ///< of a tie across a gap or an overlap; lives as long as the rows of a step
+  double softness = 0;          ///< s of enforcement/softness.hpp; 0: rigid
+  double gap_share = 0;         ///< share of the penetration that `required` recovers
+  double drift_share = 0;       ///< share of the slip that `drift` recovers
+  double wall_rate = 0;         ///< of a moving wall itself, along the normal [velocity]; part of `required`
+  double slab = 0;              ///< Z1 Z2 / (Z1 + Z2) A of eq. (29) in Heinstein et al. 2000 [mass/time]; 0: not known
+  double friction = 0;          ///< Coulomb coefficient for this step; 0: none
+  bool holds = false;           ///< it constrains the tangential directions without a limit: a tie
+  bool lags = false;            ///< friction follows the pressure late: see FrictionLaw::lag
+  double lagging = 0;           ///< tangential impulse that is admissible for the previous pressure [momentum]
+  double noise = 0;             ///< bound of the error of the required rate due to rounding of positions [velocity]
+  Vec3 drift = Vec3::Zero();    ///< tangential velocity required in sticking [velocity]: recovers the slip
+  std::span<const Arm> arms{};  ///< one a point, or none: of ties; live as long as the rows of a step
   /// Of a row with more points than `nodes` has room for, all of them and their weights; live as long as the rows.
   std::span<const LocalIndex> wide_points{};
   std::span<const double> wide_weights{};
@@ -114,14 +106,15 @@ struct Row {
     return wide_points.empty() ? std::span(weights).first(static_cast<std::size_t>(node_count)) : wide_weights;
   }
   [[nodiscard]] bool is_mortar() const { return key.kind == RowKind::mortar; }
+  [[nodiscard]] bool is_mortar_tie() const { return key.kind == RowKind::mortar_tie; }
   [[nodiscard]] bool is_wall() const { return key.kind == RowKind::wall; }
   [[nodiscard]] bool is_edge() const { return key.kind == RowKind::edge; }
 };
 
-/// Contribution of levers to the relative velocity.
+/// Contribution of arms to the relative velocity.
 template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::noinline]] void add_turned(const Row& row, const VelocityOf& velocity_of, Vec3& relative) {
-  for (std::size_t i = 0; i < row.points().size(); ++i) relative += row.lever->turn[i] * velocity_of(row.nodes[i]);
+  for (std::size_t i = 0; i < row.points().size(); ++i) relative += row.arms[i].turn * velocity_of(row.points()[i]);
 }
 
 /// The relative velocity of the row; velocity_of(node): of a contact node.
@@ -131,7 +124,7 @@ template <std::invocable<LocalIndex> VelocityOf>
   const std::span<const LocalIndex> points = row.points();
   const std::span<const double> shares = row.shares();
   for (std::size_t i = 0; i < points.size(); ++i) relative += shares[i] * velocity_of(points[i]);
-  if (row.lever != nullptr) [[unlikely]]
+  if (!row.arms.empty()) [[unlikely]]
     add_turned(row, velocity_of, relative);
   return relative;
 }
@@ -139,19 +132,17 @@ template <std::invocable<LocalIndex> VelocityOf>
 /// The part of the row's impulse that acts on point i [momentum].
 inline Vec3 impulse_on_node(const Row& row, std::size_t i, const Vec3& impulse) {
   const Vec3 share = row.shares()[i] * impulse;
-  return row.lever == nullptr ? share : Vec3(share + row.lever->turn[i].transpose() * impulse);
+  return row.arms.empty() ? share : Vec3(share + row.arms[i].turn.transpose() * impulse);
 }
 
 /// Upper bound of the factor between a row's impulse and that on one of its nodes.
 inline double largest_share(const Row& row) {
   constexpr double beside = 2;  // weights of a tied node a little beside its face
-  if (row.lever != nullptr) return row.lever->most;
-  if (row.is_mortar()) {
-    double most = 0;
-    for (const double share : row.shares()) most = std::max(most, std::abs(share));
-    return most;
-  }
-  return row.holds ? beside : 1.0;
+  if (row.wide_points.empty() && row.arms.empty()) return row.holds ? beside : 1.0;
+  double most = 0;
+  for (std::size_t i = 0; i < row.points().size(); ++i)
+    most = std::max(most, std::abs(row.shares()[i]) + (row.arms.empty() ? 0.0 : row.arms[i].size));
+  return most;
 }
 
 /// The largest admissible tangential impulse [momentum] for this normal impulse.

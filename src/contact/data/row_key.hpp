@@ -14,11 +14,12 @@ namespace brunt::contact {
 using BodyPair = std::pair<std::int32_t, std::int32_t>;
 
 enum class RowKind : std::int8_t {
-  face,   ///< a node on a face
-  edge,   ///< an edge on an edge
-  wall,   ///< a node on a rigid wall
-  tie,    ///< a node that is tied to a face
-  mortar  ///< the facets around a node on those of a body
+  face,       ///< a node on a face
+  edge,       ///< an edge on an edge
+  wall,       ///< a node on a rigid wall
+  tie,        ///< a node that is tied to a face
+  mortar,     ///< the facets around a node on those of a body
+  mortar_tie  ///< the same, tied
 };
 
 struct RowKey {
@@ -39,11 +40,13 @@ struct AnchorKey {
 };
 
 /// The form of keys in checkpoints and in the state hash, which also defines their order: absent second ends are -1 (of
-/// mortar rows -2), wall w is -1 - w. Kinds with equal keys (a tie is a node on a face) have the same form.
+/// mortar rows -2, of those of ties -3), wall w is -1 - w. Kinds with equal keys (a tie is a node on a face) have the
+/// same form.
 using SavedKey = std::array<GlobalIndex, 4>;
-constexpr GlobalIndex saved_mortar = -2;
+constexpr GlobalIndex saved_mortar = -2, saved_mortar_tie = -3;
 inline SavedKey saved(const RowKey& key) {
   if (key.kind == RowKind::mortar) return {key.slave, saved_mortar, key.master, key.master_second};
+  if (key.kind == RowKind::mortar_tie) return {key.slave, saved_mortar_tie, key.master, key.master_second};
   if (key.kind == RowKind::edge) return {key.slave, key.slave_second, key.master, key.master_second};
   return {key.slave, -1, key.kind == RowKind::wall ? -1 - key.master : key.master, -1};
 }
@@ -56,6 +59,8 @@ inline RowKey row_key_from(const SavedKey& key) {
   if (slave_second >= 0) return {RowKind::edge, slave, slave_second, master, master_second};
   if (slave_second == saved_mortar)
     return {.kind = RowKind::mortar, .slave = slave, .master = master, .master_second = master_second};
+  if (slave_second == saved_mortar_tie)
+    return {.kind = RowKind::mortar_tie, .slave = slave, .master = master, .master_second = master_second};
   if (master < 0) return {.kind = RowKind::wall, .slave = slave, .master = -1 - master};
   return {.slave = slave, .master = master};
 }

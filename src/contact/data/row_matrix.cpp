@@ -54,7 +54,7 @@ RowLaw law_of(const Row& row) {
              .softness = row.softness,
              .share = largest_share(row),
              .cone = row.cone,
-             .turns = row.lever != nullptr};
+             .turns = !row.arms.empty()};
   if (row.holds)
     law.across = Across::holds;
   else if (row.friction > 0)
@@ -68,7 +68,7 @@ const RowMatrix& compress(std::span<const Row> rows, RowMatrix& matrix) {
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < row.points().size(); ++i) {
       matrix.add(row.points()[i], row.shares()[i]);
-      if (row.lever != nullptr) matrix.arms.push_back({row.lever->turn[i], row.lever->bound[i]});
+      if (!row.arms.empty()) matrix.arms.push_back(row.arms[i]);
     }
     matrix.close_row(law_of(row), {.gap = row.gap,
                                    .gap_share = row.gap_share,

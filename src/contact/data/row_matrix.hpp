@@ -50,12 +50,6 @@ struct RowFigures {
   Pass pass = Pass::both;
 };
 
-/// The lever arm of one point of a row: its velocity v contributes turn v in addition to its weight.
-struct Arm {
-  Mat3 turn = Mat3::Zero();
-  double size = 0;  ///< bound of |turn v| / |v|
-};
-
 /// Part of a row in one body (see enforcement/carried.hpp) [1/mass^(1/2)].
 struct BodyShare {
   LocalIndex body = 0;

@@ -110,12 +110,12 @@ constexpr auto width = static_cast<std::size_t>(pack_width);
 
 }  // namespace
 
-void PackedRows::reserve(std::size_t rows, std::size_t nodes) {
+void PackedRows::reserve(std::size_t rows, std::size_t points_of_a_row, std::size_t nodes) {
   const std::size_t batches = (rows + width - 1) / width;
   batches_.reserve(batches);
   iterates_.reserve(batches);
-  points_.reserve(batches * width * most_nodes_of_a_row);
-  weights_.reserve(batches * most_nodes_of_a_row);
+  points_.reserve(batches * width * points_of_a_row);
+  weights_.reserve(batches * points_of_a_row);
   velocity_.reserve(nodes);
 }
 

@@ -39,7 +39,7 @@ struct RowsSeen {
 
 class PackedRows {
  public:
-  void reserve(std::size_t rows, std::size_t nodes);
+  void reserve(std::size_t rows, std::size_t points_of_a_row, std::size_t nodes);
   /// Lays the rows out; a row each of EnforcementScratch::diagonal, compliance and borne. The impulses before are the
   /// present ones, and the missing rates are zero.
   void lay(const RowMatrix& rows, std::span<const double> diagonal, std::span<const double> compliance,

@@ -183,11 +183,12 @@ void share_velocities(Exchange& exchange, std::span<Vec3> velocity) {
 
 }  // namespace
 
-void EnforcementScratch::reserve(std::size_t rows, std::size_t turning_rows, std::size_t nodes) {
+void EnforcementScratch::reserve(const RowRoom& room, std::size_t nodes) {
+  const std::size_t rows = room.rows;
   diagonal.reserve(rows);
   compliance.reserve(rows);
-  share.reserve(most_nodes_of_a_row * rows);
-  matrix.reserve(rows, most_nodes_of_a_row * rows, most_nodes_of_a_row * turning_rows);
+  share.reserve(room.entries);
+  matrix.reserve(rows, room.entries, room.arms);
   previous.reserve(rows);
   for (std::vector<Vec3>* of_rows : {&borne, &missing, &step, &direction, &step_change, &change})
     of_rows->reserve(rows);
@@ -196,11 +197,12 @@ void EnforcementScratch::reserve(std::size_t rows, std::size_t turning_rows, std
   row_sum.reserve(nodes);
   row_sum_parts.reserve(nodes * row_sum_width);
   impulse_parts.reserve(nodes * impulse_width);
-  packed.reserve(rows, nodes);
+  packed.reserve(rows, room.points_of_a_row, nodes);
 }
 
-void EnforcementScratch::reserve_passes(std::size_t rows, std::size_t turning_rows) {
-  pass_rows.reserve(rows, most_nodes_of_a_row * rows, most_nodes_of_a_row * turning_rows);
+void EnforcementScratch::reserve_passes(const RowRoom& room) {
+  const std::size_t rows = room.rows;
+  pass_rows.reserve(rows, room.entries, room.arms);
   pass_impulses.reserve(rows);
   for (std::vector<Vec3>& impulses : start) impulses.reserve(rows);
   asked.reserve(rows);

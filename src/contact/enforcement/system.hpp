@@ -38,6 +38,13 @@ struct Slide {
   double give = 0;                ///< of its friction across t, slip / limit [1/mass]
 };
 
+/// Numbers for which arrays have room.
+struct RowRoom {
+  std::size_t rows = 0, entries = 0;  ///< entries: points of all rows
+  std::size_t arms = 0;               ///< points of those that turn
+  std::size_t points_of_a_row = most_nodes_of_a_row;
+};
+
 /// Arrays of the solvers, sized when lists are rebuilt, so that a step allocates nothing.
 struct EnforcementScratch {
   std::vector<double> diagonal;           ///< H [1/mass], a row each; 0: no impulse in this row can change its rate
@@ -63,9 +70,8 @@ struct EnforcementScratch {
   std::array<std::vector<Vec3>, 2> start;  ///< of all rows, where each pass starts from
   std::vector<double> asked;               ///< of all rows, the least rate asked for [velocity]
 
-  /// Room for rows of detection, of which so many turn.
-  void reserve(std::size_t rows, std::size_t turning_rows, std::size_t nodes);
-  void reserve_passes(std::size_t rows, std::size_t turning_rows);               ///< besides, for two passes
+  void reserve(const RowRoom& room, std::size_t nodes);
+  void reserve_passes(const RowRoom& room);                                      ///< besides, for two passes
   void reserve_bodies(std::size_t rows, std::size_t nodes, std::size_t bodies);  ///< besides, for rigid bodies
 };
 

@@ -314,13 +314,16 @@ void link_facets(const ListBuild& build, const FacePairs& found, const std::vect
 
 /// Every node that mortar rows have or may have. Collective.
 void need_mortar_nodes(const ListBuild& build, const MortarPairs& mortar, std::vector<NeededNode>& needed) {
-  if (!build.settings.mortar) return;
+  if (!build.settings.keeps) return;
   const std::vector<char> in_use = facets_in_use(build, mortar);
   for (std::size_t f = 0; f < mortar.facets.size(); ++f)
     for (std::size_t i = 0; in_use[f] != 0 && i < static_cast<std::size_t>(mortar.facets[f].corner_count); ++i)
       needed.push_back({mortar.facets[f].gid[i], mortar.facets[f].home[i]});
-  const std::vector<Place> homes = homes_of(build.ranks, build.surface, build.settings.kept);
-  for (std::size_t i = 0; i < homes.size(); ++i) needed.push_back({build.settings.kept[i], homes[i]});
+  std::vector<GlobalIndex> kept(build.settings.kept.begin(), build.settings.kept.end());
+  kept.insert(kept.end(), build.settings.tied.begin(), build.settings.tied.end());
+  sort_unique(kept);
+  const std::vector<Place> homes = homes_of(build.ranks, build.surface, kept);
+  for (std::size_t i = 0; i < homes.size(); ++i) needed.push_back({kept[i], homes[i]});
 }
 
 /// Every node that the pairs name, with its owner; some more than once. Collective.
@@ -360,9 +363,10 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   MortarPairs mortar;
   EdgePairs edges;
   if (settings.faces) {
-    if (settings.mortar) mortar.facets = facets_around_slaves(build);
+    const bool of_facets = settings.facets != FacetPairs::none;
+    if (of_facets) mortar.facets = facets_around_slaves(build);
     faces = find_face_pairs(build, capture_boxes(mortar.facets));
-    if (settings.mortar) mortar.pairs = find_mortar_pairs(build, mortar.facets, faces.masters);
+    if (of_facets) mortar.pairs = find_mortar_pairs(build, mortar.facets, faces.masters);
     edges = find_edge_pairs(build);
   }
   lists.wall_candidates = walls_in_reach(build, walls, held);
@@ -381,7 +385,7 @@ ContactLists build_lists(const comm::Communicator& ranks, const Surface& surface
   fill_thickness(build, faces, lists.candidates);
   fill_seams(build, faces, lists.candidates);
   fill_edges(build, edges, lists, edge_facets);
-  lists.most_rows += lists.wall_candidates.size();
+  lists.most_rows += lists.wall_candidates.size() + settings.tied_rows;
   lists.any_rows = ranks.any(lists.most_rows > 0);
   lists.any_edges = ranks.any(!edges.pairs.empty());
   lists.exchange =

@@ -44,16 +44,26 @@ struct ContactLists {
   std::size_t most_rows = 0, most_faces_of_a_slave = 0;
 };
 
+/// Pairs of facets and faces that lists contain.
+enum class FacetPairs : std::int8_t {
+  none,
+  mortar,  ///< of pairs with mortar rows
+  tied     ///< of tied pairs, at the start
+};
+
 struct ListSettings {
   const Tolerances* tolerances = &standard_tolerances;  ///< lists contain everything within its reach
   double wall_capture = 0;                              ///< [length]
-  double motion = 0;                    ///< admissible motion of each node and wall [length], including the coming step
-  bool faces = true;                    ///< search faces at all
-  bool two_passes = false;              ///< some pair has two passes
-  bool mortar = false;                  ///< some pair has mortar rows
-  std::span<const GlobalIndex> kept{};  ///< nodes of kept mortar rows, which stay contact nodes; ascending
-  bool wall_facets = false;             ///< areas around nodes near walls are wanted
-  std::span<const double> thickness{};  ///< thickness of blocks that are sheets, see ContactSettings [length]
+  double motion = 0;        ///< admissible motion of each node and wall [length], including the coming step
+  bool faces = true;        ///< search faces at all
+  bool two_passes = false;  ///< some pair has two passes
+  FacetPairs facets = FacetPairs::none;  ///< whose facets may share segments
+  bool keeps = false;                    ///< on any rank rows may be kept, of mortar rows or ties
+  std::span<const GlobalIndex> kept{};   ///< nodes of kept mortar rows, which stay contact nodes; ascending
+  std::span<const GlobalIndex> tied{};   ///< the same of ties
+  std::size_t tied_rows = 0;             ///< of this rank, with integrated weights
+  bool wall_facets = false;              ///< areas around nodes near walls are wanted
+  std::span<const double> thickness{};   ///< thickness of blocks that are sheets, see ContactSettings [length]
   SearchMethod search = SearchMethod::automatic;
 
   [[nodiscard]] double thickness_of(std::int32_t block) const {

@@ -12,10 +12,11 @@ namespace brunt::contact {
 namespace {
 
 /// Of two faces of different bodies, the first one's the slave.
-bool have_mortar_rows(const ListBuild& build, const GhostFace& slave, const GhostFace& master) {
+bool may_share_segments(const ListBuild& build, const GhostFace& slave, const GhostFace& master) {
   if (slave.body == master.body) return false;
   const PairSpecification& pair = build.specification.pairs.at(slave.block, master.block);
-  if (pair.rule == PairRule::apart || pair.passes != Passes::mortar) return false;
+  const bool wanted = build.settings.facets == FacetPairs::tied ? pair.tied != Tied::no : pair.passes == Passes::mortar;
+  if (pair.rule == PairRule::apart || !wanted) return false;
   if (pair.rule == PairRule::automatic)
     return is_slave(build.surface.bodies, slave.body, master.body, *build.settings.tolerances);
   return pair.rule == PairRule::slave;
@@ -66,7 +67,7 @@ std::vector<CandidatePair> find_mortar_pairs(const ListBuild& build, std::span<c
   for (const GhostFace& master : masters) master_boxes.push_back(master.capture.box());
   std::vector<CandidatePair> pairs;
   for_each_overlap(slave_boxes, master_boxes, build.scratch.facets, [&](LocalIndex facet, LocalIndex master) {
-    if (have_mortar_rows(build, nth(facets, facet), nth(masters, master))) pairs.push_back({facet, master});
+    if (may_share_segments(build, nth(facets, facet), nth(masters, master))) pairs.push_back({facet, master});
   });
   std::ranges::sort(pairs, [&](const CandidatePair& a, const CandidatePair& b) {
     if (a.slave != b.slave) return a.slave < b.slave;

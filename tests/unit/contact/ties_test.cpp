@@ -43,16 +43,16 @@ struct TwoSquares {
         candidates, faces, gid, motion, {}, contact::standard_tolerances, [](LocalIndex, LocalIndex) { return true; },
         [](LocalIndex, LocalIndex) {});
   }
-  /// The rows of these ties; their levers live as long as this.
+  /// The rows of these ties; their arms live as long as this.
   std::vector<Row> rows(const std::vector<Tie>& ties, double recovery = 0.1, double dt = 0.5) {
-    contact::Lever of_before;  // as from another step
-    of_before.turn.fill(Mat3::Constant(std::numeric_limits<double>::quiet_NaN()));
-    levers.assign(ties.size(), of_before);
+    contact::TieArms of_before;  // as from another step
+    of_before.fill({Mat3::Constant(std::numeric_limits<double>::quiet_NaN()), 1});
+    arms.assign(ties.size(), of_before);
     std::vector<Row> made;
-    tie_rows(ties, scene(recovery, dt), levers, made);
+    tie_rows(ties, scene(recovery, dt), arms, made);
     return made;
   }
-  std::vector<contact::Lever> levers;
+  std::vector<contact::TieArms> arms;
   [[nodiscard]] contact::TieScene scene(double recovery = 0.1, double dt = 0.5) const {
     return {candidates, faces, by_key, gid, motion, recovery, dt};
   }
@@ -120,8 +120,8 @@ TEST_CASE("a tie on a face that turns asks for nothing, and takes back a share o
     CHECK((row.required * row.normal + row.drift + 0.2 * (turn * crept)).norm() < 1e-14);
     CHECK(std::abs(row.normal.dot(row.drift)) < 1e-15);
   }
-  CHECK(rows[0].lever == nullptr);
-  CHECK(rows[1].lever == &squares.levers[1]);
+  CHECK(rows[0].arms.empty());
+  CHECK(rows[1].arms.data() == squares.arms[1].data());
 }
 
 namespace {
@@ -147,7 +147,7 @@ TEST_CASE("a tie across a gap: a common turn asks for nothing, impulses have no 
   TwoSquares squares = bent_squares(ties);
   const Vec3 spin(0.3, -1.1, 0.6), speed(2, 1, -4), impulse(0.4, 0.9, -0.7);
   for (const Row& row : squares.rows(ties)) {
-    REQUIRE(row.lever != nullptr);
+    REQUIRE(row.arms.size() == 5);
     const auto place = [&](LocalIndex node) -> const Vec3& {
       return squares.motion[static_cast<std::size_t>(node)].position;
     };

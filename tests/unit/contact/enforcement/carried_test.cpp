@@ -150,22 +150,21 @@ TEST_CASE("averaged passes: a body that has rows of one pass alone gets its shar
 TEST_CASE("a tie with arms on a body: its work is that of the body's impulse") {
   BoxProblem p;
   p.add_box({.centre = {0, 0, 0.5}, .mass = 2, .velocity = {0, 0, -1}, .spin = {0.3, 0, 0}});
-  Lever lever;
-  lever.turn[1] << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
-  lever.turn[2] = -lever.turn[1];
-  lever.bound = {0, 1, 1};
-  lever.most = 1.5;
+  std::array<Arm, 3> arms;
+  arms[1].turn << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
+  arms[2].turn = -arms[1].turn;
+  arms[1].size = arms[2].size = 1;
   Row& row = p.add_row(
       {{p.add_node(0.5, {1, 0, 0}), 1}, {p.add_point(0, {0.5, 0, 0}), -0.5}, {p.add_point(0, {0, 0.5, 0}), -0.5}},
       Vec3::UnitZ());
   row.cone = Cone::free;
   row.holds = true;
-  row.lever = &lever;
+  row.arms = arms;
   p.solve_boxes({.tolerance = 1e-12, .max_iterations = 1000});
   CHECK(relative_velocity(p.rows[0], p.velocity).norm() < 1e-11);
   Vec3 before = Vec3::Zero();
   for (std::size_t i = 0; i < 3; ++i)
-    before += (p.rows[0].weights[i] * Mat3::Identity() + lever.turn[i]) * p.motion[i].predicted;
+    before += (p.rows[0].weights[i] * Mat3::Identity() + arms[i].turn) * p.motion[i].predicted;
   const double work = p.impulses[0].dot(-before);  // p . G W G^T p
   const double nodes = p.impulses[0].squaredNorm() / 0.5;
   CHECK(work == Approx(nodes + p.answer(0).impulse.dot(p.answer(0).change)).epsilon(1e-10));

@@ -51,15 +51,14 @@ TEST_CASE("row sums bound the operator: 1 for lone pairs, more where rows share 
 TEST_CASE("a lever: nodes take what the row's rate is the transpose of, and the row sums bound the operator") {
   Problem p;
   const LocalIndex a = p.add_node(1, {0, 0, -1}), b = p.add_node(2, {0, 0, 0}), c = p.add_node(3, {1, 0, 2});
-  Lever lever;
-  lever.bound = {0, 1, 1};
-  lever.most = 1.5;
-  lever.turn[1] << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
-  lever.turn[2] = -lever.turn[1];
+  std::array<Arm, 3> arms;
+  arms[1].size = arms[2].size = 1;
+  arms[1].turn << 0, 0.6, 0, -0.5, 0, 0.2, 0, 0, 0.3;
+  arms[2].turn = -arms[1].turn;
   Row& row = p.add_row({{a, 1}, {b, -0.5}, {c, -0.5}}, Vec3::UnitZ());
   row.cone = Cone::free;
   row.holds = true;
-  row.lever = &lever;
+  row.arms = arms;
   OneRankExchange exchange;
   EnforcementScratch scratch;
   CHECK(form_row_sums(p.system(), exchange, scratch));  // a bound: one step is not the solution
