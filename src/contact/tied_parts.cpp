@@ -111,7 +111,8 @@ void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std:
   const std::size_t first = rows.size();
   const TieScene scene = tie_scene(contact, dt);
   tie_rows(contact.tied.ties, scene, contact.tied.arms, rows);
-  append_mortar_ties({contact.tied.mortar, contact.tied.mortar_places, scene.motion, scene.recovery, dt},
+  append_mortar_ties({contact.tied.mortar, contact.tied.mortar_places, scene.motion, contact.step.nodes.mobility,
+                      carriers, scene.recovery, dt},
                      contact.tied.mortar_arms, rows);
   for (Row& row : std::span(rows).subspan(first))
     keep_feasible_rate(row, contact.step.nodes.mobility, contact.step.nodes.motion, carriers);

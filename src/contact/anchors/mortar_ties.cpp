@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/anchors/mortar_ties.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -85,6 +86,33 @@ void lay_arms(const KeptTie& tie, std::span<const NodeMotion> motion, const Vec3
   for (Arm& arm : arms) arm.size = arm.turn.norm();
 }
 
+Mat3 free_directions(const MortarTieScene& scene, LocalIndex point) {
+  const Mobility& node = nth(scene.mobility, point);
+  if (scene.carriers.of(point) != nullptr) return Mat3::Identity();
+  return node.inverse_mass > 0 ? node.projector : Mat3(Mat3::Zero());
+}
+
+/// Projector onto the directions in which the node or the place below it can move.
+Mat3 asked_directions(const KeptTie& tie, const MortarTieScene& scene) {
+  Mat3 sum = free_directions(scene, tie.places[0]);
+  if (sum.isIdentity(0) || tie.head.below == MortarTie{}.below) return Mat3::Identity();
+  for (const std::int32_t term : tie.head.below)
+    if (term >= 0) sum += free_directions(scene, nth(tie.places, term));
+  Eigen::SelfAdjointEigenSolver<Mat3> directions;
+  directions.computeDirect(sum);
+  Mat3 asked = Mat3::Identity();
+  for (int k = 0; k < 3; ++k)
+    if (directions.eigenvalues()[k] <= Mobility::rounding)
+      asked -= directions.eigenvectors().col(k) * directions.eigenvectors().col(k).transpose();
+  return asked;
+}
+
+/// The row's rates in these directions only: G becomes P G.
+void project(const Mat3& directions, std::span<const double> weights, std::span<Arm> arms) {
+  for (std::size_t k = 0; k < arms.size(); ++k)
+    arms[k].turn = directions * arms[k].turn + weights[k] * (directions - Mat3::Identity());
+}
+
 /// Out of the master: against the facets, by their shares.
 Vec3 normal_of(const KeptTie& tie, std::span<const NodeMotion> motion) {
   const auto place_of = [&](std::size_t term) -> const Vec3& { return nth(motion, tie.places[term]).position; };
@@ -135,21 +163,25 @@ Vec3 lost_in_turning(const KeptTie& tie, const MortarTieScene& scene, const Vec3
 
 void append_row(const KeptTie& tie, const MortarTieScene& scene, std::span<Arm> arms, std::vector<Row>& rows) {
   Row row = row_of(tie);
+  const Mat3 asked = asked_directions(tie, scene);
+  const bool all = asked.isIdentity(Mobility::rounding);
   const Vec3 crept =
       crept_at(tie, [&](std::size_t term) -> const Vec3& { return nth(scene.motion, tie.places[term]).position; });
   const double noise = rounding_of_places(tie, scene.motion);
-  const bool turns = tie.head.apart || crept.norm() > noise;
+  const bool turns = tie.head.apart || crept.norm() > noise || !all;
   const std::size_t points = turns ? tie.places.size() : static_cast<std::size_t>(tie.head.weighted);
   row.wide_points = tie.places.first(points);
   row.wide_weights = tie.weights.first(points);
   row.normal = normal_of(tie, scene.motion);
   if (turns) {
     lay_arms(tie, scene.motion, crept, arms);
+    if (!all) project(asked, tie.weights, arms);
     row.arms = arms;
   }
   row.gap = row.normal.dot(crept);
   Vec3 back = -scene.recovery / scene.dt * crept;
   if (tie.head.apart) back -= lost_in_turning(tie, scene, crept, row) / scene.dt;
+  if (!all) back = asked * back;
   row.noise = (scene.recovery + (tie.head.apart ? 1 : 0)) / scene.dt * noise;
   row.required = row.normal.dot(back);
   row.drift = back - row.required * row.normal;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/data/carriers.hpp"
 #include "contact/data/constraint.hpp"
 #include "contact/data/mortar_ties.hpp"
 
@@ -18,6 +19,8 @@ struct MortarTieScene {
   const MortarTies& ties;
   std::span<const LocalIndex> places;
   std::span<const NodeMotion> motion;
+  std::span<const Mobility> mobility;  ///< of contact nodes
+  const Carriers& carriers;
   double recovery = 0;  ///< share of a drift that a step takes back
   double dt = 0;
 };
@@ -28,8 +31,9 @@ const MortarTie* find_mortar_tie(const MortarTies& ties, const RowKey& key);
 /// Whether the node is one of a facet that this body covers: nothing else acts between the two.
 bool is_held(const MortarTies& ties, GlobalIndex node, std::int32_t body);
 
-/// Appends a row for each tie: free along the normal, held across it. arms: room for one for each term, with the
-/// lifetime of the rows.
+/// Appends a row for each tie: free along the normal, held across it. In directions in which supports hold both the
+/// node and the place below it, the row asks for nothing: it would constrain the master's other nodes. arms: room for
+/// one for each term, with the lifetime of the rows.
 void append_mortar_ties(const MortarTieScene& scene, std::span<Arm> arms, std::vector<Row>& rows);
 
 }  // namespace brunt::contact

@@ -39,8 +39,8 @@ struct TiedParts {
   MortarTies mortar;                      ///< see mortar_ties.hpp
   std::vector<LocalIndex> mortar_places;  ///< of their terms: contact nodes
   std::vector<Arm> mortar_arms;           ///< of their terms, of the last step
-  std::vector<TiedPair> pairs_at_start;  ///< that shared segments at the start, ascending
-  std::vector<TiedPair> pairs_in_use;    ///< those that `mortar` is integrated over
+  std::vector<TiedPair> pairs_at_start;   ///< that shared segments at the start, ascending
+  std::vector<TiedPair> pairs_in_use;     ///< those that `mortar` is integrated over
   std::vector<GlobalIndex> nodes_beside;  ///< see TiedNodes, of this rank
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/mortar/fine_segment.hpp"
 #include "fan.hpp"
 
 namespace brunt::contact {
@@ -124,7 +125,9 @@ class Integration {
     sloped_master_ = seeded(master_, plane_directions / 2);
   }
 
-  void run(double least_area) {
+  /// cuts: how often each triangle of the rule is cut into four.
+  void run(double least_area, int cuts = 0) {
+    cuts_ = cuts;
     const geometry::ConvexPieces slaves = geometry::convex_pieces(slave_), masters = geometry::convex_pieces(master_);
     for (int s = 0; s < slaves.count; ++s)
       for (int m = 0; m < masters.count; ++m) add(nth(slaves.piece, s), nth(masters.piece, m), least_area);
@@ -145,8 +148,7 @@ class Integration {
     area += of_polygon;
     const Fan<double> fan(polygon.point, corners, 1.0 / 3);
     std::array<FanFunctions, ClippedPolygon::most_corners> functions;
-    for (std::size_t i = 0; i < fan.count; ++i)
-      add_products(slave_map_, master_map_, fan.triangle[i], sums, functions[i]);
+    for (std::size_t i = 0; i < fan.count; ++i) add_triangle(fan.triangle[i], cuts_, functions[i]);
     if (!with_slopes_) return;
     const auto sloped_subject = pick(Polygon<Sloped>(sloped_slave_), slave),
                sloped_clip = pick(Polygon<Sloped>(sloped_master_), master);
@@ -162,8 +164,19 @@ class Integration {
         add_product_slopes(sloped.triangle[i], functions[i], p, nth(slopes, p));
   }
 
+  void add_triangle(const FanTriangle<double>& triangle, int cuts, FanFunctions& functions) {
+    if (cuts == 0) return add_products(slave_map_, master_map_, triangle, sums, functions);
+    const auto& [a, b, c] = triangle.corner;
+    const auto middle = [](const Point& p, const Point& q) { return Point{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)}; };
+    const Point ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for (const auto& corner :
+         {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
+      add_triangle({corner, 0.25 * triangle.twice_area}, cuts - 1, functions);
+  }
+
   Polygon<double> slave_, master_;
   FacetMap slave_map_, master_map_;
+  int cuts_ = 0;
   std::array<SlopedPoint, 4> sloped_slave_, sloped_master_;
   bool with_slopes_;
 };
@@ -241,6 +254,15 @@ class ToSpace {
   std::array<std::array<Vec3, 4>, 2> turn_;  ///< of each axis . dn by the slave's corners
 };
 
+/// Whether the shape functions are polynomials in the plane.
+bool has_polynomials(Polygon<double> polygon) {
+  if (polygon.size() == 3) return true;
+  const FacetMap map(polygon);
+  constexpr double straight = 1e-9;
+  const auto size = [](const Point& p) { return std::hypot(p.x, p.y); };
+  return size(map.twist) <= straight * (size(map.along_xi) + size(map.along_eta));
+}
+
 }  // namespace
 
 bool make_slave_plane(FacetCorners slave, SlavePlane& plane) {
@@ -288,6 +310,18 @@ bool integrate_segment(const SlavePlane& plane, FacetCorners master, double capt
       slopes->master[a][c < seen.corners ? seen.corner[c] : c] =
           to_space(integration.slopes, slave_products + 4 * a + c);
   return true;
+}
+
+bool integrate_finely(const SlavePlane& plane, FacetCorners master, double capture, SegmentIntegrals& integrals) {
+  if (!faces(plane, master)) return false;
+  const SeenMaster seen(plane, master);
+  if (apart(polygon_of(plane), seen.polygon())) return false;
+  Integration integration(plane, seen, false);
+  const bool exact = has_polynomials(polygon_of(plane)) && has_polynomials(seen.polygon());
+  integration.run(least_overlap * plane.area(), exact ? 0 : 2);
+  if (integration.area == 0) return false;
+  take_values(plane, seen, integration, integrals);
+  return std::abs(integrals.distance) <= capture;
 }
 
 }  // namespace brunt::contact

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/data/tolerances.hpp"
+#include "contact/mortar/fine_segment.hpp"
 #include "geometry/closest_point.hpp"
 
 namespace brunt::contact {
@@ -35,7 +36,7 @@ void collect(const MortarScene& scene, const SlavePlane& plane, double reach, Lo
   const double facing = -geometry::area_vector(corners.span()).normalized().dot(plane.normal);
   const double capture = std::min(reach, reach_of(scene.tolerances, corners.span(), face.element_depth));
   SegmentIntegrals integrals;
-  if (!(facing >= scene.tolerances.facing) || !integrate_segment(plane, corners.span(), capture, integrals)) return;
+  if (!(facing >= scene.tolerances.facing) || !integrate_finely(plane, corners.span(), capture, integrals)) return;
   if (facing < tie_numbers.smooth) {
     found.inclined += integrals.area;
     return;

@@ -22,6 +22,9 @@ struct Draft {
   std::vector<LocalIndex> points;  ///< contact nodes
   std::vector<double> weights;     ///< times the area
   std::vector<char> of_master;
+  double nearest = std::numeric_limits<double>::infinity();  ///< face to the node [length]
+  std::array<LocalIndex, 4> below{no_index, no_index, no_index,
+                                  no_index};  ///< nodes with a weight at its nearest point
   struct Facet {
     LocalIndex facet = 0;
     double share = 0, moment = 0;  ///< moment: of the gap along the normal [length^3]
@@ -49,6 +52,21 @@ Draft& draft_of(const TieCover& cover, const Vec3& side, double facing, std::vec
   return drafts.back();
 }
 
+/// The nodes of the face that are the place below this one, if it is the nearest of the row's.
+void look_below(const MortarScene& scene, const MasterFace& face, const Vec3& place, Draft& draft) {
+  constexpr double none = 1e-6;  // above the rounding of coordinates in single precision
+  const CornersNow corners(face, scene.motion);
+  const auto closest = geometry::closest_point(place, corners.span());
+  if (!closest) return;
+  const Vec3 offset = place - closest->point, normal = geometry::area_vector(corners.span()).normalized();
+  const double across = (offset - normal.dot(offset) * normal).norm();
+  if (across > scene.tolerances.rim * geometry::longest_edge(corners.span()) || !(offset.norm() < draft.nearest))
+    return;
+  draft.nearest = offset.norm();
+  for (std::size_t c = 0; c < 4; ++c)
+    draft.below[c] = c < corners.count && closest->weights[c] > none ? face.nodes[c] : no_index;
+}
+
 void add_cover(const MortarScene& scene, const TieCovers& covers, const TieCover& cover, std::size_t j, Draft& draft) {
   const MortarFacet& slave = nth(scene.candidates.facets, cover.facet);
   const CornersNow corners(slave, scene.motion);
@@ -68,6 +86,7 @@ void add_cover(const MortarScene& scene, const TieCovers& covers, const TieCover
       draft.add(master.nodes[c], true, -weight);
       moment -= weight * cover.normal.dot(nth(scene.motion, master.nodes[c]).position - origin);
     }
+    look_below(scene, master, corners.point[j], draft);
   }
   draft.facets.push_back({cover.facet, cover.share[j], moment});
 }
@@ -118,6 +137,12 @@ void append_row(const MortarScene& scene, LocalIndex node, std::int32_t number, 
     if (draft.of_master[i] != 0 || draft.points[i] == node || draft.weights[i] != 0) ++row.weighted;
   }
   ties.nodes.close_row();
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (draft.below[c] == no_index) continue;
+    const auto term = std::ranges::find_if(
+        order, [&](std::size_t i) { return draft.points[i] == draft.below[c] && draft.of_master[i] != 0; });
+    row.below[c] = static_cast<std::int32_t>(term - order.begin());
+  }
   append_facets(scene, draft, order, row, ties);
   ties.rows.push_back(row);
 }
