@@ -198,7 +198,10 @@ void rebuild(Contact& contact, const StepInput& input, FacetPairs facets) {
   reserve_rows(derived, lists, contact.tied, contact.settings.rigid.count, step, contact.history);
   if (derived.may_jam) contact.unmet.reserve(lists.most_rows + contact.tied.ties.size(), contact.settings.rigid.count);
   if (derived.friction || derived.may_be_driven || derived.tied) state.faces_by_key = order_by_key(lists.faces);
-  if (derived.tied) demand_ties_hold(contact);
+  if (derived.tied) {
+    const std::span<const Vec3> starts = state.motion.starts().first(surface.gid.size());
+    demand_ties_hold(contact, of_contact_nodes<Vec3>(lists, starts, Vec3::Zero()));
+  }
 }
 
 void search(Contact& contact, const StepInput& input, const VelocitySpan& velocities) {

@@ -118,9 +118,11 @@ void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std:
     keep_feasible_rate(row, contact.step.nodes.mobility, contact.step.nodes.motion, carriers);
 }
 
-void demand_ties_hold(const Contact& contact) {
+void demand_ties_hold(const Contact& contact, std::span<const Vec3> positions) {
   const TieScene scene = tie_scene(contact, 1);
-  if (contact.ranks.any(!std::ranges::all_of(contact.tied.ties, [&](const Tie& tie) { return holds(tie, scene); })))
+  const bool torn = are_torn(contact.tied.mortar, contact.tied.mortar_places, positions);
+  if (contact.ranks.any(torn ||
+                        !std::ranges::all_of(contact.tied.ties, [&](const Tie& tie) { return holds(tie, scene); })))
     throw GuardError("contact: a tie is broken: a face is out of reach of a node tied to it");
 }
 

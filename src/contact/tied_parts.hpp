@@ -15,8 +15,9 @@ std::int32_t tied_block(const Contact& contact, LocalIndex slave, std::int32_t m
 /// this rank, ascending by key; contact.surface already refers to them. Collective.
 void release_ties(Contact& contact, std::span<const mesh::ExteriorFace> faces);
 
-/// Checks new lists on all ranks, so that all stop: throws GuardError if a tie is broken. Collective.
-void demand_ties_hold(const Contact& contact);
+/// Checks new lists on all ranks, so that all stop: throws GuardError if a tie is broken. positions: of contact nodes.
+/// Collective.
+void demand_ties_hold(const Contact& contact, std::span<const Vec3> positions);
 
 /// A tied node has no contact with that body other than its tie, nor do edges of tied parts have contact with each
 /// other.

@@ -11,12 +11,11 @@ namespace brunt::app {
 namespace {
 
 std::string describe(const scene::Input& input, const std::string& slave, const std::string& master, double coarse,
-                     double fine, bool tied) {
+                     double fine) {
   const std::string finer = fmt::format(
       "{}: part '{}' is the slave of '{}', whose faces are much finer in the contact region (edges of {:.3g} against "
       "{:.3g})",
       input.at(scene::contact_key(input, slave, master) + ".slave"), slave, master, fine, coarse);
-  if (tied) return finer + fmt::format(": few nodes of '{}' carry the tie; use slave: {}", master, master);
   return finer + fmt::format(
                      ": its nodes penetrate or pass between those of '{}', and max_penetration does not count them; "
                      "use slave: {}, or passes: two",
@@ -33,8 +32,8 @@ std::vector<std::string> warn_of_coarse_slaves(const scene::Input& input, const 
   const FirstMotion motion = first_motion(input, whole);
   for (const setup::CoarseSlave& pair : setup::coarse_slaves(whole.mesh, rules, motion.velocity, motion.duration)) {
     const auto slave = static_cast<std::int32_t>(pair.slave), master = static_cast<std::int32_t>(pair.master);
-    const bool tied = rules.contact.pairs.at(slave, master).tied == contact::Tied::yes;
-    warnings.push_back(describe(input, part[pair.slave], part[pair.master], pair.coarse, pair.fine, tied));
+    if (rules.contact.pairs.at(slave, master).tied != contact::Tied::no) continue;  // either side carries a tie
+    warnings.push_back(describe(input, part[pair.slave], part[pair.master], pair.coarse, pair.fine));
   }
   return warnings;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -201,6 +202,19 @@ const MortarTie* find_mortar_tie(const MortarTies& ties, const RowKey& key) {
 
 bool is_held(const MortarTies& ties, GlobalIndex node, std::int32_t body) {
   return std::ranges::binary_search(ties.held, TiedNode{node, body});
+}
+
+bool are_torn(const MortarTies& ties, std::span<const LocalIndex> places, std::span<const Vec3> positions) {
+  for (std::size_t r = 0; r < ties.rows.size(); ++r) {
+    const auto first = static_cast<std::size_t>(ties.nodes.offsets[r]);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = first; k < first + static_cast<std::size_t>(ties.rows[r].weighted); ++k)
+      sum += ties.weights[k] * nth(positions, places[k]);
+    double reach = ties.rows[r].size;
+    for (const TiedFacet& facet : ties.facets.row(static_cast<LocalIndex>(r))) reach += std::abs(facet.height);
+    if (!(sum.norm() <= reach)) return true;
+  }
+  return false;
 }
 
 void append_mortar_ties(const MortarTieScene& scene, std::span<Arm> arms, std::vector<Row>& rows) {

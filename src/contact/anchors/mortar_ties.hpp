@@ -20,7 +20,7 @@ struct MortarTieScene {
   std::span<const LocalIndex> places;
   std::span<const NodeMotion> motion;
   std::span<const Mobility> mobility;  ///< of contact nodes
-  const Carriers& carriers;
+  Carriers carriers;
   double recovery = 0;  ///< share of a drift that a step takes back
   double dt = 0;
 };
@@ -30,6 +30,9 @@ const MortarTie* find_mortar_tie(const MortarTies& ties, const RowKey& key);
 
 /// Whether the node is one of a facet that this body covers: nothing else acts between the two.
 bool is_held(const MortarTies& ties, GlobalIndex node, std::int32_t body);
+
+/// Whether a row's places are farther apart than their pins and an edge together. positions: of contact nodes.
+bool are_torn(const MortarTies& ties, std::span<const LocalIndex> places, std::span<const Vec3> positions);
 
 /// Appends a row for each tie: free along the normal, held across it. In directions in which supports hold both the
 /// node and the place below it, the row asks for nothing: it would constrain the master's other nodes. arms: room for

@@ -47,7 +47,7 @@ void collect(const MortarScene& scene, const SlavePlane& plane, double reach, Lo
 }
 
 bool is_smooth(const SlavePlane& plane, const Collected& found) {
-  return found.area > 0 && found.inclined <= tie_numbers.slight * (found.area + found.inclined) &&
+  return found.area > 0 && found.inclined <= tie_numbers.inclined * (found.area + found.inclined) &&
          found.area <= (1 + tie_numbers.folded) * plane.area();
 }
 
@@ -77,6 +77,7 @@ void append_cover(const MortarScene& scene, LocalIndex facet, const SlavePlane& 
   TieCover cover{.facet = facet,
                  .body = nth(scene.faces, found.faces.front()).body,
                  .block = nth(scene.faces, found.faces.front()).block,
+                 .whole = !(functions.dual_share < 1),
                  .normal = plane.normal,
                  .share = functions.share,
                  .mass = functions.mass,
@@ -119,7 +120,7 @@ std::array<bool, 4> corners_kept(const MortarScene& scene, std::span<const Vec3>
   std::array<bool, 4> large{}, kept{};
   bool any = false;
   for (std::size_t j = 0; j < static_cast<std::size_t>(facet.corner_count); ++j) {
-    large[j] = cover.share[j] >= tie_numbers.slight * most;
+    large[j] = cover.whole || cover.share[j] >= tie_numbers.share * most;
     kept[j] = large[j] && nth(sides, facet.nodes[j]).dot(cover.normal) >= scene.tolerances.facing;
     any = any || kept[j];
   }

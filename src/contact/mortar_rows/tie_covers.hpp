@@ -11,9 +11,10 @@ namespace brunt::contact {
 
 /// Numbers that decide, see contact/TIES.md.
 struct TieNumbers {
-  double smooth = 0.866;  ///< cosine of the angle between a facet and the faces that cover it: 30 degrees
-  double slight = 0.05;   ///< of the largest share of a corner, of the covered area: less has no function, is no cover
-  double folded = 1e-6;   ///< of the facet: area covered twice
+  double smooth = 0.866;   ///< cosine of the angle between a facet and the faces that cover it: 30 degrees
+  double inclined = 0.05;  ///< share of the covered area that may be covered by faces at a larger angle
+  double share = 0.4;      ///< of the largest share of a corner: where less is covered, a corner has no function
+  double folded = 1e-6;    ///< of the facet: area covered twice
 };
 constexpr TieNumbers tie_numbers{};
 
@@ -26,6 +27,7 @@ struct TieSegment {
 struct TieCover {
   LocalIndex facet = 0;
   std::int32_t body = 0, block = 0;             ///< block: the lowest one of the faces
+  bool whole = false;                           ///< nothing of the facet is left
   Vec3 normal = Vec3::Zero();                   ///< of the facet, unit, outward
   std::array<double, 4> share{};                ///< int psi_j; 0: the corner has no function [length^2]
   std::array<std::array<double, 4>, 4> own{};   ///< int psi_j N_k [length^2]

@@ -63,9 +63,12 @@ TEST_CASE("ties: each node of the finer side over the other is tied once, those 
   const auto [all, none_beside] = count(0.5);
   CHECK(all == std::vector<GlobalIndex>{0, 0, 7 * 6, 0});
   CHECK(none_beside == std::vector<GlobalIndex>(4, 0));
-  const auto [fewer, beside] = count(-0.2);  // a row of six hangs over by 0.2
+  const auto [held, beside] = count(-0.2);  // a row of six hangs over by 0.2; of their facets .6 are covered
+  CHECK(held == std::vector<GlobalIndex>{0, 0, 7 * 6, 0});
+  CHECK(beside == std::vector<GlobalIndex>(4, 0));
+  const auto [fewer, none] = count(-0.3);  // by 0.3; the functions of these are the next ones'
   CHECK(fewer == std::vector<GlobalIndex>{0, 0, 6 * 6, 0});
-  CHECK(beside == std::vector<GlobalIndex>{0, 0, 6, 0});
+  CHECK(none == std::vector<GlobalIndex>(4, 0));
 }
 
 TEST_CASE("ties across a gap: momentum, angular momentum and bits do not depend on the ranks") {

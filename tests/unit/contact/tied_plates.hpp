@@ -49,7 +49,8 @@ struct TiedPlates {
 
   std::vector<contact::Row> rows(double recovery = 0.1, double dt = 0.5) {
     std::vector<contact::Row> made;
-    contact::append_mortar_ties({ties, places, motion, recovery, dt}, arms, made);
+    const std::vector<contact::Mobility> free(motion.size(), {1, Mat3::Identity()});
+    contact::append_mortar_ties({ties, places, motion, free, {}, recovery, dt}, arms, made);
     return made;
   }
   /// On each node by a traction of 1 in all rows [length^2].
