@@ -188,7 +188,8 @@ void print_contact(const Prepared& run) {
                joint.kind == rigid::JointKind::ball ? "ball" : "revolute", joint.between[0], joint.between[1]);
   if (!run.input.contact.empty() && !run.implicit) {
     const contact::EnforcementSettings& settings = run.input.enforcement.settings;
-    fmt::print("enforcement      {}, tolerance {:g}\n", name_of(settings.method), settings.tolerance);
+    fmt::print("enforcement      {}, tolerance {:g}{}\n", name_of(settings.method), settings.tolerance,
+               settings.impact == contact::Impact::elastic ? ", elastic impacts" : "");
   }
 }
 

@@ -142,8 +142,9 @@ void warn_of_softness(const Key& scene, const Input& input) {
 /// Energy is returned within one system of all rows that holds their rates exactly.
 void judge_impact(const Key& scene, const Input& input) {
   const EnforcementSettings& settings = input.enforcement.settings;
+  if (settings.impact != Impact::elastic) return;
   const std::optional<Key> last = last_given(scene, "impact");
-  if (settings.impact != Impact::elastic || !last) return;
+  if (!last) return;
   if (settings.method != Method::rate && settings.method != Method::row_sum)
     fault(*last,
           fmt::format("invalid impact elastic with method {}; expected method rate or row_sum, or impact plastic",
