@@ -4,7 +4,7 @@
 
 usage: impact_table.py [NAME ...]     (BRUNT: the program; default build/release/brunt)
 
-Names: bars, steps, plates, lengths, flow, cradles, wall, cases, boxes; all by default, about half an hour. Bars have the length, density and speed
+Names: bars, steps, plates, lengths, flow, cradles, wall, rigid, rest, cases, boxes; all by default, about half an hour. Bars have the length, density and speed
 of sound 1 and Poisson's ratio 0, so that they are exactly one-dimensional; the striker has the speed of tests/bench/impact_laws.py. Exact
 values stand in brackets.
 """
@@ -214,6 +214,53 @@ def on_wall():
     table("bar on a wall", rows)
 
 
+RIGID = """units: none
+mesh:
+  - {{box: {{part: b0, size: [1, 0.5, 0.5], elements: [{n}, 2, 2]}}}}
+  - {{box: {{part: b1, size: [0.3, 0.5, 0.5], elements: [1, 1, 1], at: [1.0007, 0, 0]}}}}
+materials: {{m: {{model: elastic, density: 1, young: 1, poisson: 0.0}}, r: {{model: rigid, density: 3.333333333}}}}
+parts: {{b0: {{material: m, bulk: {{linear: 0, quadratic: 0}}}}, b1: {{material: r}}}}
+initial: [{{part: b1, velocity: [{speed!r}, 0, 0]}}]
+contact: [{{between: all}}]
+probes: [{{name: b0, part: b0, field: velocity}}, {{name: b1, part: b1, field: velocity}}]
+run: {{end: 12}}
+history: {{every: 0.01}}
+"""
+REST = """units: SI
+mesh:
+  - {box: {part: c0, size: [0.1, 0.1, 0.1], elements: [2, 2, 2]}}
+  - {box: {part: c1, size: [0.1, 0.1, 0.1], elements: [3, 3, 3], at: [0.004, -0.002, 0.1]}}
+  - {box: {part: c2, size: [0.1, 0.1, 0.1], elements: [2, 2, 2], at: [-0.003, 0.003, 0.2]}}
+materials: {soft: {model: elastic, density: 1000, young: 1.0e8, poisson: 0.3}}
+parts: {c0: {material: soft}, c1: {material: soft}, c2: {material: soft}}
+gravity: {vector: [0, 0, -9.81]}
+damping: {alpha: 40, from: 0, to: 1.0}
+rigid_walls: [{name: floor, point: [0, 0, 0], normal: [0, 0, 1], friction: 0.5}]
+contact: [{between: all, self: false, friction: 0.5}]
+run: {steps: 120000}
+history: {every: 0.02}
+"""
+
+
+def rigid():
+    """A rigid block strikes a free bar of its mass."""
+    table("rigid block of the mass of a bar", [
+        (f"restitution (0.73), N = {n}", {law: numbers([restitution(run(RIGID.format(n=n, speed=-SPEED), law))]) for law in LAWS})
+        for n in (2, 4, 8, 32)])
+
+
+def rest():
+    """Cubes that settle on each other, then without damping, over the largest work of their weight."""
+    found = {law: run(REST, law) for law in LAWS}
+    late = {law: found[law]["time"] > 1.3 for law in LAWS}
+    work = {law: abs(found[law]["external"]).max() for law in LAWS}
+    taken = {law: found[law]["contact"] + found[law]["walls"] + found[law]["friction"] for law in LAWS}
+    table("three cubes at rest, 120,000 steps", [
+        ("kinetic energy at rest", {law: f"{found[law]['kinetic'][late[law]].max() / work[law]:.0e}" for law in LAWS}),
+        ("change of what contact has taken, at rest", {law: f"{numpy.ptp(taken[law][late[law]]) / work[law]:.0e}" for law in LAWS}),
+        ("energy given at any time", {law: f"{max(0.0, -taken[law].min()) / work[law]:.0e}" for law in LAWS})])
+
+
 # Scene and settings.
 CASES = {
     "block_impact, elastic 10^3": ("block_impact/scene.yaml", ["mesh.0.box.elements=[10, 10, 10]", "mesh.1.box.elements=[10, 10, 10]",
@@ -265,7 +312,7 @@ def boxes(seeds=range(1, 101), end=0.06):
     table(f"{len(seeds)} scenes of random boxes", rows)
 
 
-PARTS = {"bars": equal_bars, "steps": small_steps, "plates": plates, "lengths": lengths, "flow": flow, "cradles": cradles, "wall": on_wall, "cases": cases, "boxes": boxes}
+PARTS = {"bars": equal_bars, "steps": small_steps, "plates": plates, "lengths": lengths, "flow": flow, "cradles": cradles, "wall": on_wall, "rigid": rigid, "rest": rest, "cases": cases, "boxes": boxes}
 
 
 def main():
