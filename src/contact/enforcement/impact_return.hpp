@@ -4,10 +4,10 @@
 // p_0 is the solution of the rate constraint. Where rows open that have energy to return, p_1 is a second solution in
 // which they require the rates that return it. The step takes
 //   p_0 + theta (p_1 - p_0),   theta in [0, 1] the largest share of each island
-// that does at most sum w B more work on its bodies than p_0, less what other rows have given beyond what they took
-// (B < 0): neither along the normals nor in all. The work is quadratic in theta. Cones and required rates are convex,
-// so every share is admissible; islands without a row that opens keep p_0. A second solution that ends early is not
-// taken.
+// that does at most sum w B more work on its bodies than p_0: neither along the normals nor in all. From the sum is
+// taken what p_0 gives by rows that open, and what other rows owe (B < 0). The work is quadratic in theta. Cones and
+// required rates are convex, so every share is admissible; islands without a row that opens keep p_0. A second solution
+// that ends early is not taken.
 #pragma once
 #include <span>
 #include <vector>
