@@ -52,7 +52,12 @@ TEST_CASE("ties: a uniform traction loads both sides consistently, linear motion
 }
 
 TEST_CASE("ties: where the slave hangs over, the load is that of what is covered, in rows that are not alike") {
-  for (const double over : {0.01, 0.1, 0.4, 0.7}) {  // of a facet, on each side
+  struct Case {
+    double over;  // of a facet, on each side
+    std::size_t rows;
+  };
+  // of the largest share of a corner the outer ones have .98, .82, .43, .18 on an edge, its square at a corner
+  for (const auto [over, rows] : {Case{0.01, 25}, Case{0.1, 25}, Case{0.4, 21}, Case{0.7, 9}}) {
     TiedPlates plates(4, 3, 1 - over / 2, 0, 0);
     CAPTURE(over);
     const std::vector<double> force = plates.forces(), master = consistent_loads(3);
@@ -61,7 +66,7 @@ TEST_CASE("ties: where the slave hangs over, the load is that of what is covered
     double total = 0;
     for (std::size_t k = 0; k < 25; ++k) total += force[k];
     CHECK(std::abs(total - area) < 1e-14);
-    CHECK(plates.ties.rows.size() == (over > 0.5 ? 9u + 12u : 25u));
+    CHECK(plates.ties.rows.size() == rows);
     for (const Row& row : plates.rows()) {
       CHECK(relative_velocity(row, [&](LocalIndex node) { return linear(plates.place(node)); }).norm() < 1e-13);
       CHECK(largest_share(row) <= 2);
