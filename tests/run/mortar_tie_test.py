@@ -48,11 +48,13 @@ def pair(seed, twisted):
     rng = random.Random(seed)
     bodies, kinds = [], [rng.choice(KINDS), rng.choice(KINDS)]
     gap, first = rng.choice((0, 0, 0.005)), 1
-    for name, bottom, kind in (("lower", 0, kinds[0]), ("upper", 0.5 + gap, kinds[1])):
+    for name, bottom, kind in (("lower", 0, kinds[0]), ("upper", 0.5, kinds[1])):
         n = (rng.randint(2, 6), rng.randint(2, 6))
         twist = rng.uniform(-0.7, 0.7) if twisted else 0
         nodes, elements = brick(n, 2, bottom, bottom + 0.5, twist, first, rng.uniform(-0.05, 0.05) if twisted else 0)
         first += len(nodes)
+        if bodies:  # after it is twisted, so that the loaded end is not
+            nodes = [(x, y, z + gap) for x, y, z in nodes]
         bodies.append((name, nodes, elements, kind == "tet4"))
     rest = 3e-7 if gap else 1e-9  # pins across a gap turn by the rounding of positions, 1e-7 of these loads
     return input_file(bodies), {"elements": kinds, "slave": rng.choice(("lower", "upper")), "rest": rest}
@@ -63,7 +65,7 @@ def spin(seed):
     rigid = rng.random() < 0.25
     return {"na": [rng.randint(2, 7), rng.randint(2, 7), 2], "nb": [rng.randint(2, 7), rng.randint(2, 7), 2],
             "size": [rng.uniform(0.4, 1), rng.uniform(0.4, 1), 0.3],
-            "at": [rng.uniform(0, 0.4), rng.uniform(-0.1, 0.4), 0.3 + rng.choice((0, rng.uniform(-0.01, 0.01)))],
+            "at": [rng.uniform(0, 0.4), rng.uniform(-0.1, 0.4), 0.3 + rng.choice((0, rng.uniform(0, 0.01)))],
             "degrees": rng.uniform(0, 90), "velocity": [rng.uniform(-40, 40) for _ in range(3)],
             "axis": [rng.uniform(-1, 1) for _ in range(3)], "rate": rng.choice((30, 300, 1000)), "b": "r" if rigid else "m",
             "slave": "auto" if rigid else rng.choice("ab")}

@@ -176,3 +176,39 @@ TEST_CASE("ties: a row asks for the rate of what it keeps, by differences, and f
     CHECK(row.required == Approx(-0.2 * row.gap));
   }
 }
+
+TEST_CASE("ties: on a plane of symmetry of both sides a row asks for nothing along its normal") {
+  TiedPlates plates(3, 4, 1, 0, 0, [](const Vec3& x) {  // askew inside, so that rows of the plane have nodes beside it
+    return Vec3(x.x() + (x.z() > 0 ? 0.2 : -0.1) * x.x() * (1 - x.x()) * x.y() * (1 - x.y()), x.y(), 0);
+  });
+  const auto hold = [&](LocalIndex first, LocalIndex end) {
+    for (LocalIndex node = first; node < end; ++node)
+      if (plates.place(node).x() == 0) nth(plates.mobility, node).projector(0, 0) = 0;
+  };
+  const auto answers = [&](std::size_t r) {  // of a node beside the plane
+    const Row row = plates.rows()[r];
+    double most = 0;
+    for (const LocalIndex point : row.points())
+      if (plates.place(point).x() > 0)
+        most = std::max(most, std::abs(relative_velocity(row, [&](LocalIndex node) {
+                                         return node == point ? Vec3(1, 0, 0) : Vec3(0, 0, 0);
+                                       }).x()));
+    return most;
+  };
+  hold(0, plates.slaves);
+  for (const std::size_t r : {4u, 8u}) {
+    REQUIRE(plates.place(static_cast<LocalIndex>(r)).x() == 0);
+    CHECK(answers(r) > 1e-3);  // the master may move: it is tied to the supports
+  }
+  hold(plates.slaves, static_cast<LocalIndex>(plates.motion.size()));
+  const Vec3 impulse(5, 6, 7);
+  for (const std::size_t r : {4u, 8u}) {
+    CHECK(answers(r) == 0);
+    const Row row = plates.rows()[r];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < row.points().size(); ++i) sum += impulse_on_node(row, i, impulse);
+    CHECK(sum.norm() < 1e-14);
+    CHECK(std::abs(impulse_on_node(row, 0, impulse).x()) < 1e-14);
+    CHECK(std::abs(impulse_on_node(row, 0, impulse).y() - 6) < 1e-14);
+  }
+}

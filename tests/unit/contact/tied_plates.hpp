@@ -22,6 +22,7 @@ struct TiedPlates {
   contact::MortarTies ties;
   std::vector<LocalIndex> places;
   std::vector<contact::Arm> arms;
+  std::vector<contact::Mobility> mobility;  ///< free masses of 1
 
   /// bend: where nodes of the plane are.
   TiedPlates(
@@ -49,8 +50,7 @@ struct TiedPlates {
 
   std::vector<contact::Row> rows(double recovery = 0.1, double dt = 0.5) {
     std::vector<contact::Row> made;
-    const std::vector<contact::Mobility> free(motion.size(), {1, Mat3::Identity()});
-    contact::append_mortar_ties({ties, places, motion, free, {}, recovery, dt}, arms, made);
+    contact::append_mortar_ties({ties, places, motion, mobility, {}, recovery, dt}, arms, made);
     return made;
   }
   /// On each node by a traction of 1 in all rows [length^2].
@@ -100,6 +100,7 @@ struct TiedPlates {
     ties = contact::tie_weights(scene(), sides, covers);
     for (const GlobalIndex node : ties.nodes.values) places.push_back(static_cast<LocalIndex>(node));
     arms.resize(places.size());
+    mobility.assign(motion.size(), {1, Mat3::Identity()});
   }
 };
 

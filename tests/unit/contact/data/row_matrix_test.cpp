@@ -78,7 +78,9 @@ TEST_CASE("rows of detection in the matrix: laws without sentinels") {
 }
 
 TEST_CASE("keys come back from what is saved, in its order") {
-  const std::vector<RowKey> keys{{.kind = RowKind::wall, .slave = 3, .master = 1},
+  const std::vector<RowKey> keys{{.kind = RowKind::mortar_tie, .slave = 3, .master = 1, .master_second = 0},
+                                 {.kind = RowKind::mortar, .slave = 3, .master = 1, .master_second = 1},
+                                 {.kind = RowKind::wall, .slave = 3, .master = 1},
                                  {.kind = RowKind::wall, .slave = 3, .master = 0},
                                  {.slave = 3, .master = 0},
                                  {.slave = 3, .master = 9},
@@ -89,6 +91,7 @@ TEST_CASE("keys come back from what is saved, in its order") {
     CHECK(back.kind == key.kind);
     CHECK(back == key);
   }
-  CHECK(saved(keys[0]) == SavedKey{3, -1, -2, -1});
-  CHECK(saved(RowKey{.kind = RowKind::tie, .slave = 3, .master = 9}) == saved(keys[3]));
+  CHECK(saved(keys[0]) == SavedKey{3, -3, 1, 0});
+  CHECK(saved(keys[2]) == SavedKey{3, -1, -2, -1});
+  CHECK(saved(RowKey{.kind = RowKind::tie, .slave = 3, .master = 9}) == saved(keys[5]));
 }
