@@ -75,11 +75,11 @@ struct Row {
       weights{};  ///< of the slave, sum 1, then minus the weights of the master's nodes
   std::int32_t node_count = 0;
   std::int32_t slave_body = 0, master_body = 0;
-  std::int32_t slave_block = 0;   ///< of a slave edge; a node may have several
-  std::int32_t master_block = 0;  ///< walls have neither body nor block
+  std::int32_t slave_block = 0;       ///< of a slave edge; a node may have several
+  std::int32_t master_block = 0;      ///< walls have neither body nor block
   LocalIndex master_face = no_index;  ///< of a node on a face: its place in the lists, if known
-  Vec3 normal = Vec3::Zero();     ///< unit, out of the master
-  double gap = 0;                 ///< at x_n: > 0 open, < 0 penetration
+  Vec3 normal = Vec3::Zero();         ///< unit, out of the master
+  double gap = 0;                     ///< at x_n: > 0 open, < 0 penetration
   double required = 0;  ///< smallest admissible rate [velocity]: -gap/dt when open, a limited recovery when closed
   Cone cone = Cone::compression;
   Pass pass = Pass::both;
