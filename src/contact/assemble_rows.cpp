@@ -8,7 +8,7 @@
 
 #include "contact/anchors/friction.hpp"
 #include "contact/data/tolerances.hpp"
-#include "contact/passes.hpp"
+#include "contact/surface/passes.hpp"
 #include "slave.hpp"
 
 namespace brunt::contact {

@@ -9,7 +9,6 @@
 #include "detect.hpp"
 #include "gather.hpp"
 #include "rebuild_lists.hpp"
-#include "tied_facets.hpp"
 #include "tied_parts.hpp"
 
 namespace brunt::contact {

@@ -10,7 +10,6 @@
 #include "gather.hpp"
 #include "memory.hpp"
 #include "mortar_step.hpp"
-#include "tied_facets.hpp"
 #include "tied_parts.hpp"
 
 namespace brunt::contact {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ties of a run: found once at the start, on the rank of their slaves, and rows of every step.
+// Ties of a run over the ranks: found at the start, on the rank of their slaves; integrated again from the geometry of
+// the start when elements are gone; rows of every step.
 #pragma once
 #include "contact/contact.hpp"
 
@@ -25,5 +26,19 @@ void drop_tied_rows(const Contact& contact, std::vector<Row>& rows);
 
 /// A row a tie.
 void append_tie_rows(Contact& contact, const Carriers& carriers, double dt, std::vector<Row>& rows);
+
+/// From lists and positions of contact nodes at the start; pairs: those that may share segments, ascending, or all.
+/// Collective.
+MortarTies find_mortar_ties(Contact& contact, const std::vector<TiedPair>* pairs);
+
+/// Where the terms are in new lists.
+void place_mortar_ties(Contact& contact);
+
+/// The keys that some rank still has among its faces, ascending. faces: ascending by key. Collective.
+std::vector<GlobalIndex> keys_left(const comm::Communicator& ranks, std::vector<GlobalIndex> keys,
+                                   std::span<const mesh::ExteriorFace> faces);
+
+/// Pairs of the start of which both faces are left. Collective.
+std::vector<TiedPair> pairs_left(const Contact& contact, std::span<const mesh::ExteriorFace> faces);
 
 }  // namespace brunt::contact

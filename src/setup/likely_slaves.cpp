@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "contact/data/tolerances.hpp"
-#include "contact/passes.hpp"
+#include "contact/surface/passes.hpp"
 #include "core/cells.hpp"
 #include "core/error.hpp"
 #include "flight_shadow.hpp"

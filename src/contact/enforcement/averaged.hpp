@@ -4,7 +4,7 @@
 // energy is convex, the mean has no more energy than the passes, and conditions satisfied by both passes hold for the
 // mean. The approach that the mean leaves, since the passes disagree, is added to the required rates, and both passes
 // are solved once more, in place of the corrector (25). Used for methods that close gaps over several steps, and on
-// request (Passes::averaged); other methods solve the rows of both passes as one system: see contact/passes.hpp.
+// request (Passes::averaged); other methods solve the rows of both passes as one system: see surface/passes.hpp.
 #pragma once
 #include "contact/enforcement/enforce.hpp"
 

@@ -23,7 +23,7 @@ struct System {
   const RowMatrix& rows;
   std::span<const NodeMotion> motion;  ///< of all contact nodes of this rank
   std::span<const Mobility> mobility;  ///< the same
-  bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see contact/passes.hpp
+  bool two_passes = false;             ///< rows may belong to one pass only, on some rank: see surface/passes.hpp
   double mobility_scale = 1;  ///< of all inverse masses: 1 / (1 + alpha dt / 2) with mass damping, which is part of W
   Carriers carriers{};        ///< whose blocks the rows have: see lay_rows_on_bodies
   std::span<const GlobalIndex> gid{};  ///< of all contact nodes; empty on one rank: see islands.hpp

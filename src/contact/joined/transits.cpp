@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/transits.hpp"
+#include "contact/joined/transits.hpp"
 
 #include <algorithm>
 

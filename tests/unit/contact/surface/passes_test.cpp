@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/passes.hpp"
+#include "contact/surface/passes.hpp"
 
 #include <catch2/catch.hpp>
 
