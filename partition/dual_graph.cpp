@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/cells.hpp"
 #include "mesh/face_rows.hpp"
 
 namespace brunt::partition {
@@ -29,6 +30,33 @@ std::vector<Edge> shared_faces(const mesh::Mesh& mesh) {
   return edges;
 }
 
+/// Shells that share an edge.
+void add_shared_edges(const mesh::Mesh& mesh, std::vector<Edge>& edges) {
+  struct Use {
+    Edge nodes;  ///< ascending
+    LocalIndex element;
+  };
+  std::vector<Use> uses;
+  LocalIndex element = 0;
+  for (const mesh::Block& block : mesh.blocks) {
+    const bool shell = cells::is_surface(block.shape);
+    for (LocalIndex e = 0; e < block.count(); ++e, ++element)
+      for (std::size_t k = 0; shell && k < cells::of(block.shape).edges.size(); ++k) {
+        const cells::Edge& edge = cells::of(block.shape).edges[k];
+        const LocalIndex a = block.element(e)[edge[0]], b = block.element(e)[edge[1]];
+        uses.push_back({{std::min(a, b), std::max(a, b)}, element});
+      }
+  }
+  std::ranges::sort(
+      uses, [](const Use& a, const Use& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.element < b.element; });
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+    while (last < uses.size() && uses[last].nodes == uses[first].nodes) ++last;
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t j = i + 1; j < last; ++j)
+        if (uses[i].element != uses[j].element) edges.push_back({uses[i].element, uses[j].element});
+  }
+}
+
 /// Sorts each row; elements that share several faces keep one edge.
 void sort_rows(Ragged<LocalIndex>& graph) {
   auto end = graph.values.begin();
@@ -47,7 +75,8 @@ void sort_rows(Ragged<LocalIndex>& graph) {
 }  // namespace
 
 Ragged<LocalIndex> dual_graph(const mesh::Mesh& mesh) {
-  const std::vector<Edge> edges = shared_faces(mesh);
+  std::vector<Edge> edges = shared_faces(mesh);
+  add_shared_edges(mesh, edges);
   Ragged<LocalIndex> graph;
   // counted with an offset of two, so that filling moves the starts to their final positions
   std::vector<LocalIndex>& offsets = graph.offsets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dual graph of a mesh: elements are its vertices, shared faces its edges.
+// The dual graph of a mesh: elements are its vertices, shared faces its edges, and of shells shared edges.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace brunt::partition {
 
-/// Row e: elements that share a face with element e, ascending; e counts over all blocks in order. Every edge appears
-/// in both rows.
+/// Row e: elements that share a face with element e, or an edge if both are shells, ascending; e counts over all blocks
+/// in order. Every edge appears in both rows.
 Ragged<LocalIndex> dual_graph(const mesh::Mesh& mesh);
 
 /// Calls visit(nodes of the element, shape) for each element over all blocks in order.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes of elements: corners, edges and faces of hexahedra and tetrahedra. All other code refers to these tables.
+// The shapes of elements: corners, edges and faces of hexahedra, tetrahedra, and of the quadrilaterals and triangles of
+// shells. All other code refers to these tables.
 //
 //        7--------6
 //       /|       /|      hexahedron: corners 0-3 on the face z-, 4-7 above them; faces as below,
@@ -44,10 +45,18 @@ inline constexpr std::array<Edge, 6> tet_edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, 
 inline constexpr std::array<Face, 4> tet_faces{{{0, 1, 3, -1}, {1, 2, 3, -1}, {0, 3, 2, -1}, {0, 2, 1, -1}}};
 inline constexpr std::array<Tetrahedron, 1> tet_tetrahedra{{{0, 1, 2, 3}}};
 
+// Quadrilateral and triangle: counter-clockwise seen from the side to which the normal of the shell points (its top).
+// Their one face is the shell itself, seen from there.
+
+inline constexpr std::array<Edge, 4> quad_edges{{{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
+inline constexpr std::array<Face, 1> quad_faces{{{0, 1, 2, 3}}};
+inline constexpr std::array<Edge, 3> tri_edges{{{0, 1}, {1, 2}, {2, 0}}};
+inline constexpr std::array<Face, 1> tri_faces{{{0, 1, 2, -1}}};
+
 // All shapes.
 
 /// Wedges and pyramids are stored as hex8 with repeated nodes.
-enum class Shape { hex8, tet4 };
+enum class Shape { hex8, tet4, quad4, tri3 };
 
 struct Cell {
   std::string_view name;
@@ -59,14 +68,20 @@ struct Cell {
 };
 
 /// In the order of Shape.
-inline constexpr std::array<Cell, 2> table{
-    {{"hex8", 3, 8, hex_faces, hex_edges, hex_tetrahedra}, {"tet4", 3, 4, tet_faces, tet_edges, tet_tetrahedra}}};
+inline constexpr std::array<Cell, 4> table{{{"hex8", 3, 8, hex_faces, hex_edges, hex_tetrahedra},
+                                            {"tet4", 3, 4, tet_faces, tet_edges, tet_tetrahedra},
+                                            {"quad4", 2, 4, quad_faces, quad_edges, {}},
+                                            {"tri3", 2, 3, tri_faces, tri_edges, {}}}};
 
 constexpr const Cell& of(Shape shape) {
   return nth(table, shape);
 }
 
-/// The shape that stores an element with this number of different corners: eight, or six and five of wedges and
+constexpr bool is_surface(Shape shape) {
+  return of(shape).dimension == 2;
+}
+
+/// The shape that stores a solid element with this number of different corners: eight, or six and five of wedges and
 /// pyramids; four.
 constexpr Shape shape_with(int corners) {
   return corners == of(Shape::tet4).corners ? Shape::tet4 : Shape::hex8;

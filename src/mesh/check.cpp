@@ -11,6 +11,7 @@
 #include "core/excerpt.hpp"
 #include "element_shape.hpp"
 #include "mesh/duplicate_elements.hpp"
+#include "mesh/mixed_normals.hpp"
 #include "mesh/topology.hpp"
 
 namespace brunt::mesh {
@@ -83,7 +84,7 @@ void check_indices(const Mesh& mesh, std::vector<std::string>& faults) {
       const bool known = s.block >= 0 && s.block < static_cast<LocalIndex>(mesh.blocks.size());
       const Block* block = known ? &nth(mesh.blocks, s.block) : nullptr;
       if (!block || s.element < 0 || s.element >= block->count() || s.face < 0 ||
-          s.face >= faces_per_element(block->shape))
+          s.face >= sides_per_element(block->shape))
         lines.add(fmt::format(
             "invalid side set {}: unknown side {} of element position {}; expected sides of existing elements",
             excerpt(name), std::int64_t{s.face} + 1, std::int64_t{s.element} + 1));
@@ -94,9 +95,10 @@ void check_repeats(const Mesh& mesh, std::vector<std::string>& faults) {
   Lines lines(faults);
   for_each_element(mesh, [&](const Block& block, const LocalIndex* element, GlobalIndex id) {
     if (!corners_are_legal(block.shape, element))
-      lines.add(
-          fmt::format("invalid element {} ({}): repeated nodes; expected those of a wedge, pyramid or tetrahedron", id,
-                      shown(block)));
+      lines.add(fmt::format("invalid element {} ({}): repeated nodes; expected {}", id, shown(block),
+                            block.shape == Shape::hex8    ? "those of a wedge, pyramid or tetrahedron"
+                            : block.shape == Shape::quad4 ? "four different nodes (a triangle is a shell3 element)"
+                                                          : "different nodes"));
   });
 }
 
@@ -135,6 +137,18 @@ void warn_unused(const Mesh& mesh, std::vector<std::string>& warnings) {
   warnings.push_back(fmt::format("{} belong{} to no element and {} excluded (the first is node {}){}",
                                  count == 1 ? "1 node" : fmt::format("{} nodes", count), count == 1 ? "s" : "",
                                  count == 1 ? "is" : "are", mesh.node_id[first], sets));
+}
+
+void warn_normals(const Mesh& mesh, std::vector<std::string>& warnings) {
+  for (const Block& block : mesh.blocks) {
+    const MixedNormals mixed = mixed_normals(block);
+    if (mixed.count == 0) continue;
+    warnings.push_back(fmt::format(
+        "{}: the normals of its shells are mixed: {} edge{} lie{} between two elements of opposite sides (the first: "
+        "elements {} and {}), where top and bottom and the sign of a pressure change",
+        shown(block), mixed.count, mixed.count == 1 ? "" : "s", mixed.count == 1 ? "s" : "",
+        nth(block.element_id, mixed.first), nth(block.element_id, mixed.second)));
+  }
 }
 
 void warn_coincident(const Mesh& mesh, std::vector<std::string>& warnings) {
@@ -186,6 +200,7 @@ CheckReport check(const Mesh& mesh, MeshSource source) {
   check_repeats(mesh, report.faults);
   check_jacobians(mesh, report.faults);
   warn_unused(mesh, report.warnings);
+  warn_normals(mesh, report.warnings);
   if (source == MeshSource::generated) return report;
   check_duplicate_elements(mesh, report.faults);
   warn_coincident(mesh, report.warnings);

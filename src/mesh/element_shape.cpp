@@ -40,6 +40,18 @@ double scaled_triple_product(const Vec3& a, const Vec3& b, const Vec3& c) {
   return lengths > 0 ? a.cross(b).dot(c) / lengths : 0.0;
 }
 
+WorstJacobian worst_of_shell(Shape shape, const LocalIndex* element, const std::vector<Vec3>& coordinates) {
+  const int count = nodes_per_element(shape);
+  const auto x = [&](int k) -> const Vec3& { return nth(coordinates, element[k % count]); };
+  const Vec3 normal = (x(2) - x(0)).cross(x(count - 1) - x(1)).stableNormalized();  // of a triangle edges 0-2 and 1-2
+  WorstJacobian worst{1, 0};
+  for (int k = 0; k < count; ++k) {
+    const double scaled = scaled_triple_product(x(k + 1) - x(k), x(k + count - 1) - x(k), normal);
+    if (!(scaled >= worst.scaled)) worst = {scaled, k};
+  }
+  return worst;
+}
+
 }  // namespace
 
 bool corners_are_legal(Shape shape, const LocalIndex* element) {
@@ -55,7 +67,7 @@ bool corners_are_legal(Shape shape, const LocalIndex* element) {
     if (std::popcount(same) > 1) repeated.push_back(same);
   }
   if (repeated.empty()) return true;
-  if (shape == Shape::tet4) return false;
+  if (shape != Shape::hex8) return false;
   if (repeated.size() == 1) return is_face(repeated[0]);
   if (repeated.size() > 2) return false;
   const auto [fewer, more] =
@@ -65,6 +77,7 @@ bool corners_are_legal(Shape shape, const LocalIndex* element) {
 
 WorstJacobian worst_jacobian(Shape shape, const LocalIndex* element, const std::vector<Vec3>& coordinates) {
   const auto x = [&](int k) -> const Vec3& { return nth(coordinates, element[k]); };
+  if (cells::is_surface(shape)) return worst_of_shell(shape, element, coordinates);
   if (shape == Shape::tet4) return {scaled_triple_product(x(1) - x(0), x(2) - x(0), x(3) - x(0)), -1};
   const Vec3 xi = x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7);
   const Vec3 eta = x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5);

@@ -11,7 +11,8 @@ namespace brunt::mesh {
 bool corners_are_legal(Shape shape, const LocalIndex* element);
 
 struct WorstJacobian {
-  double scaled = 0;  ///< triple product of the edges over the product of their lengths, in [-1, 1]
+  double scaled = 0;  ///< triple product of the edges over the product of their lengths, in [-1, 1]; of a shell that of
+                      ///< two edges and the unit normal of the element, that of its diagonals
   int corner = -1;    ///< -1: the centre (hex8), or the whole (tet4)
 };
 

@@ -22,8 +22,15 @@ inline std::array<LocalIndex, 4> without_repeats(const std::array<LocalIndex, 4>
   return count < 3 ? no_face : nodes;
 }
 
+/// The one face of a shell seen from below.
+inline std::array<LocalIndex, 4> corners_of_bottom(Shape shape, const LocalIndex* element) {
+  if (shape == Shape::tri3) return {element[0], element[2], element[1], no_index};
+  return {element[0], element[3], element[2], element[1]};
+}
+
 /// As mesh::face_nodes; nearly all faces have no node twice.
 inline std::array<LocalIndex, 4> corners_of_face(Shape shape, const LocalIndex* element, int face) {
+  if (cells::is_surface(shape) && face == 1) return corners_of_bottom(shape, element);
   const cells::Face& c = nth(cells::of(shape).faces, face);
   const std::array<LocalIndex, 4> n{element[c[0]], element[c[1]], element[c[2]], c[3] < 0 ? no_index : element[c[3]]};
   const bool repeats =

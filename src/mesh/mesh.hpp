@@ -19,6 +19,10 @@ constexpr int nodes_per_element(Shape shape) {
 constexpr int faces_per_element(Shape shape) {
   return static_cast<int>(cells::of(shape).faces.size());
 }
+/// Sides that a side set may contain: the faces; of a shell also its bottom, its one face seen from below.
+constexpr int sides_per_element(Shape shape) {
+  return cells::is_surface(shape) ? 2 : faces_per_element(shape);
+}
 
 struct Block {
   std::string name;    ///< empty where the file names none
@@ -33,7 +37,7 @@ struct Block {
   }
 };
 
-/// One side of one element; faces are numbered as in core/cells.hpp.
+/// One side of one element; faces are numbered as in core/cells.hpp. Of a shell 0 is the top, 1 the bottom.
 struct Side {
   LocalIndex block = 0, element = 0;
   std::int32_t face = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ball.hpp"
+#include "draw_down.hpp"
 #include "hex_body.hpp"
 #include "mesh/primitives.hpp"
 
@@ -34,7 +35,7 @@ Vec3 draw_down_half(const Vec3& x, double radius, double finer) {
 
 }  // namespace
 
-Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form) {
+void check_sphere(const std::string& part, double radius, int elements, const SphereForm& form) {
   ParameterCheck check("sphere " + part);
   check.positive("radius", radius);
   check.holds(std::isfinite(form.finer) && form.finer >= 1,
@@ -45,15 +46,22 @@ Mesh sphere(const std::string& part, double radius, int elements, const SphereFo
   check.at_least("elements across the radius", elements, 2);
   check.fits(24.0 * elements * elements * elements);
   check.finish();
+}
 
+void draw_down(std::vector<Vec3>& coordinates, double radius, const SphereForm& form) {
+  if (form.finer == 1) return;
+  for (Vec3& x : coordinates)
+    x = form.half[2] != 0 ? draw_down_half(x, radius, form.finer) : draw_down(x, radius, form.finer);
+}
+
+Mesh sphere(const std::string& part, double radius, int elements, const SphereForm& form) {
+  check_sphere(part, radius, elements, form);
   Ball solid = ball(RoundedCore(radius, elements), form.half);
   const LocalIndex inner = solid.inner;
   std::vector<SurfaceSet> sets{{part + "_surface", [=](LocalIndex n) { return n >= inner; }}};
   Mesh mesh = hex_body(part, std::move(solid.cells));
   add_cut_planes(mesh, part, form.half, sets);  // before the map, which keeps these planes to rounding
-  if (form.finer > 1)
-    for (Vec3& x : mesh.coordinates)
-      x = form.half[2] != 0 ? draw_down_half(x, radius, form.finer) : draw_down(x, radius, form.finer);
+  draw_down(mesh.coordinates, radius, form);
   add_surface_sets(mesh, sets);
   return mesh;
 }

@@ -11,15 +11,18 @@
 namespace brunt::mesh {
 namespace {
 
-/// Calls visit(face, its side, is it another element's too?) for each face.
+/// Calls visit(face, its side, is it another element's too?) for each face. A shell that covers a solid element shares
+/// nothing: it is the exterior.
 template <class Visit>
 void for_each_keyed_face(const Mesh& mesh, Visit visit) {
   const FaceRows rows(mesh);
   rows.for_each_row([&](std::span<const KeyedFace> row) {
     for (const KeyedFace& face : row) {
-      const bool shared = std::any_of(
-          row.begin(), row.end(), [&](const KeyedFace& other) { return &other != &face && other.same_nodes(face); });
-      visit(face, rows.side(face), shared);
+      const auto sharers =
+          std::ranges::count_if(row, [&](const KeyedFace& other) { return &other != &face && other.same_nodes(face); });
+      const Side side = rows.side(face);
+      const bool shell = cells::is_surface(nth(mesh.blocks, side.block).shape);
+      visit(face, side, sharers >= (shell ? 2 : 1));
     }
   });
 }

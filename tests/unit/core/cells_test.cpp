@@ -91,11 +91,12 @@ std::vector<int> corners_of(const cells::Face& face) {
 }
 
 constexpr std::array shapes{cells::Shape::hex8, cells::Shape::tet4};
+constexpr std::array shells{cells::Shape::quad4, cells::Shape::tri3};
 
 }  // namespace
 
 TEST_CASE("cells: in the table of shapes each edge belongs to two faces, and Euler's formula holds") {
-  CHECK(cells::table.size() == shapes.size());
+  CHECK(cells::table.size() == shapes.size() + shells.size());
   for (const cells::Shape shape : shapes) {
     const cells::Cell& cell = cells::of(shape);
     CAPTURE(cell.name);
@@ -138,6 +139,23 @@ TEST_CASE("cells: in the table of shapes normals of faces point outwards, and te
       by_tetrahedra += triple(at(b) - at(a), at(c) - at(a), at(d) - at(a)) / 6;
     CHECK(by_tetrahedra == Approx(by_faces));
   }
+}
+
+TEST_CASE("cells: a shell is its own face, and the edges go around it") {
+  for (const cells::Shape shape : shells) {
+    const cells::Cell& cell = cells::of(shape);
+    CAPTURE(cell.name);
+    CHECK(cells::is_surface(shape));
+    CHECK(cell.dimension == 2);
+    CHECK(cell.tetrahedra.empty());
+    REQUIRE(cell.faces.size() == 1);
+    const std::vector<int> corners = corners_of(cell.faces[0]);
+    CHECK(corners.size() == static_cast<std::size_t>(cell.corners));
+    REQUIRE(cell.edges.size() == corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      CHECK(cell.edges[i] == cells::Edge{corners[i], corners[(i + 1) % corners.size()]});
+  }
+  for (const cells::Shape shape : shapes) CHECK_FALSE(cells::is_surface(shape));
 }
 
 TEST_CASE("cells: shapes by number of corners, keys of corners and faces") {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "mesh/shell_bodies.hpp"
 #include "unit/partition/meshes.hpp"
 
 using namespace brunt;
@@ -61,4 +62,18 @@ TEST_CASE("blocks without elements count nothing") {
   partition::test::add_box(mesh, {2, 1, 1}, 0.0, mesh::Shape::hex8, "bar");
   CHECK(partition::first_of_block(mesh) == std::vector<LocalIndex>{0, 0, 2});
   CHECK(row(dual_graph(mesh), 1) == std::vector<LocalIndex>{0});
+}
+
+TEST_CASE("shells are neighbours by edges, and of the solid that they cover") {
+  const Ragged<LocalIndex> plate = dual_graph(mesh::shell_plate("p", {2, 2}, {2, 2}));
+  REQUIRE(plate.rows() == 4);
+  CHECK(row(plate, 0) == std::vector<LocalIndex>{1, 2});
+  CHECK(row(plate, 3) == std::vector<LocalIndex>{1, 2});
+  CHECK(dual_graph(mesh::shell_box("b", Vec3(1, 1, 1), {3, 4, 5})).values.size() == 2 * 2 * (12 + 20 + 15) * 4 / 2);
+  mesh::Mesh skin = mesh::box("b", Vec3(1, 1, 1), {1, 1, 1});
+  skin.blocks.push_back({"skin", 2, mesh::Shape::tri3, {4, 5, 7, 4, 7, 6}, {1, 2}});
+  skin.blocks.push_back({"lid", 3, mesh::Shape::quad4, {0, 2, 3, 1}, {1}});
+  const Ragged<LocalIndex> graph = dual_graph(skin);
+  CHECK(row(graph, 0) == std::vector<LocalIndex>{3});  // of two triangles neither is its face
+  CHECK(row(graph, 1) == std::vector<LocalIndex>{2});
 }
