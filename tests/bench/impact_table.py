@@ -4,7 +4,7 @@
 
 usage: impact_table.py [NAME ...]     (BRUNT: the program; default build/release/brunt)
 
-Names: bars, steps, plates, lengths, flow, cradles, wall, rigid, rest, cases, boxes; all by default, about half an hour. Bars have the length, density and speed
+Names: bars, steps, plates, unlike, stasio, lengths, flow, cradles, wall, rigid, rest, cases, boxes; all by default, about half an hour. Bars have the length, density and speed
 of sound 1 and Poisson's ratio 0, so that they are exactly one-dimensional; the striker has the speed of tests/bench/impact_laws.py. Exact
 values stand in brackets.
 """
@@ -176,6 +176,65 @@ def plates():
     table("plates", rows)
 
 
+PLATES = """units: none
+mesh:
+  - {{box: {{part: b0, size: [1, 1, {lengths[0]}], elements: [{cells[0]}, {cells[0]}, {n}], rotate: {turn}, at: {at[0]}}}}}
+  - {{box: {{part: b1, size: [1, 1, {lengths[1]}], elements: [{cells[1]}, {cells[1]}, {n}], rotate: {turn}, at: {at[1]}}}}}
+materials: {{m0: {{model: elastic, density: {density[0]}, young: 1, poisson: 0}}, m1: {{model: elastic, density: {density[1]}, young: 1, poisson: 0}}}}
+parts: {{b0: {{material: m0, bulk: {{linear: 0, quadratic: 0}}}}, b1: {{material: m1, bulk: {{linear: 0, quadratic: 0}}}}}}
+initial: [{{part: b0, velocity: {velocity}}}]
+contact: [{{between: all, passes: {passes}}}]
+probes: [{{name: b0, part: b0, field: velocity}}, {{name: b1, part: b1, field: velocity}}]
+run: {{end: 6, cfl: 0.5}}
+history: {{every: 0.01}}
+output: {{every: 1000}}
+"""
+
+
+def unlike_plates():
+    """F11: free plates of unlike materials that waves cross in the same time: all of the energy returns, as between points. Meshes that do not
+    match, the pair turned about an axis askew."""
+    axis, degrees = [1, 2, 3], 40.0
+    rows = []
+    for density in ((1, 1), (1, 4), (1, 16), (4, 1)):
+        for n in (1, 2, 4):
+            lengths, masses = [1 / numpy.sqrt(rho) for rho in density], [numpy.sqrt(rho) for rho in density]
+            unit = numpy.array(axis) / numpy.linalg.norm(axis)
+            normal = numpy.array(falling_boxes.turned(list(unit), degrees, [0, 0, 1]))
+            values = {}
+            for law in LAWS:
+                found = []
+                for cells in ((4, 4), (4, 3)):
+                    for passes in ("one", "two", "mortar"):
+                        at = [[0, 0, 0], list(normal * (lengths[0] + 0.3 * SPEED / n))]
+                        r = run(PLATES.format(lengths=lengths, cells=cells, n=n, turn=f"{{axis: {axis}, degrees: {degrees}}}", at=at, density=density,
+                                              velocity=list(SPEED * normal), passes=passes), law)
+                        v = [sum(r[f"b{i}.{c}"][-1] * normal[k] for k, c in enumerate("xyz")) for i in (0, 1)]
+                        found.append(((v[1] - v[0]) / SPEED, r.summary["angular_momentum_error"], r.given))
+                values[law] = (numbers((numpy.mean([e[0] for e in found]), min(e[0] for e in found)))
+                               + f"; {max(e[1] for e in found):.0e}; {max(e[2] for e in found):.0e}")
+            rows.append((f"impedances {masses[0]:g} : {masses[1]:g}, N = {n}", values))
+    table("turned plates, 4 on 4 and 4 on 3, all passes: restitution (1) mean, least; angular momentum; energy given", rows)
+
+
+def stasio():
+    """The bar of Di Stasio et al. (2019) on a rigid wall: exact are the force rho c A V for the time 2L/c and no loss."""
+    rows = []
+    for n in (10, 50):
+        for courant in COURANT:
+            values = {}
+            for law in LAWS:
+                scene, width = bars([(n, 1.0, SPEED, None)], [0.4 * SPEED * courant / n], courant, 8.0, wall=True)
+                r = run(scene, law)
+                force, time, exact = abs(r["force.x"]), r["time"], SPEED * width ** 2
+                acts = numpy.nonzero(force > 0)[0]
+                steady = (time > time[acts[0]] + 0.5) & (time < time[acts[0]] + 1.5)
+                values[law] = (f"{(time[acts[-1]] - time[acts[0]]) / 2:.3f}; {force[steady].mean() / exact:.4f}; {force.max() / exact:.2f}; "
+                               f"{force[steady].std() / exact:.3f}; {restitution(r):.3f}; {r.taken[-1]:.1e}")
+            rows.append((f"N = {n}, C = {courant}", values))
+    table("bar on a wall: duration (1); mean force (1); peak; scatter of the force; restitution (1); energy taken", rows)
+
+
 def lengths():
     rows = []
     for n in (2, 8):
@@ -312,7 +371,7 @@ def boxes(seeds=range(1, 101), end=0.06):
     table(f"{len(seeds)} scenes of random boxes", rows)
 
 
-PARTS = {"bars": equal_bars, "steps": small_steps, "plates": plates, "lengths": lengths, "flow": flow, "cradles": cradles, "wall": on_wall, "rigid": rigid, "rest": rest, "cases": cases, "boxes": boxes}
+PARTS = {"bars": equal_bars, "steps": small_steps, "plates": plates, "unlike": unlike_plates, "stasio": stasio, "lengths": lengths, "flow": flow, "cradles": cradles, "wall": on_wall, "rigid": rigid, "rest": rest, "cases": cases, "boxes": boxes}
 
 
 def main():

@@ -58,7 +58,8 @@ Simulation::Simulation(mesh::Mesh mesh, const std::string& scene)
   model = scene::build_model(input, part_of, partition::distribute(links.ranks, whole, std::vector<Rank>(elements, 0)));
   model.touching.contact.tolerances = &tolerances();
   links = time::link_ranks(links.ranks, model);
-  time::initialise(model, state, scratch, links, scene::initial_velocities(input, model));
+  time::initialise(model, state, scratch, links, scene::initial_velocities(input, model),
+                   scene::initial_rates(input, model));
   contact = make_contact(*this, {});
 }
 
