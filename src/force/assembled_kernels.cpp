@@ -67,6 +67,19 @@ struct LinearTet {
   }
 };
 
+/// Shells are replaced by springs from each corner to the ground, of the largest frequency of the free element: a bound
+/// for any motion of its corners, rotations included.
+template <int corners>
+struct LinearShell {
+  static constexpr int nodes = corners;
+
+  BRUNT_INLINE void operator()(const element::BatchMotion<corners>& in, const Pack* linear,
+                               Pack (&f)[3][corners]) const {
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < corners; ++c) f[i][c] = -linear[at_spring] * in.v[i][c];
+  }
+};
+
 template <class Kernel>
 void run_linear(const model::ElementBlock& block, const Pack* linear, std::span<const std::uint8_t> of_block,
                 const LinearMotion& moved) {
@@ -97,10 +110,20 @@ void linear_forces(const model::Model& model, const LinearElements& linear, cons
     if (block.count == 0 || material::is_rigid(block.law)) continue;
     const auto* entries = reinterpret_cast<const Pack*>(linear[b].data());
     const std::span<const std::uint8_t> living = lanes_of(motion.living, static_cast<LocalIndex>(b));
-    if (block.shape == cells::Shape::tet4)
-      run_linear<LinearTet>(block, entries, living, motion);
-    else
-      run_linear<LinearHex>(block, entries, living, motion);
+    switch (block.shape) {
+      case cells::Shape::hex8:
+        run_linear<LinearHex>(block, entries, living, motion);
+        break;
+      case cells::Shape::tet4:
+        run_linear<LinearTet>(block, entries, living, motion);
+        break;
+      case cells::Shape::quad4:
+        run_linear<LinearShell<4>>(block, entries, living, motion);
+        break;
+      case cells::Shape::tri3:
+        run_linear<LinearShell<3>>(block, entries, living, motion);
+        break;
+    }
   }
 }
 

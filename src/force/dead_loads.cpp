@@ -19,6 +19,9 @@ void add_dead_loads(const model::Model& model, double time, model::Scratch& scra
     const Vec3 value = model::value_at(load.curve, time) * load.value;
     const Quad whole{value[0], value[1], value[2]};
     for (std::size_t k = 0; k < load.nodes.size(); ++k) nth(scratch.load, load.nodes[k]) += load.weight[k] * whole;
+    if (load.moment.isZero(0)) continue;
+    const Vec3 moment = model::value_at(load.curve, time) * load.moment;
+    for (const LocalIndex node : load.nodes) nth(scratch.moment_load, node) += Quad{moment[0], moment[1], moment[2]};
   }
 }
 

@@ -17,6 +17,12 @@ Pack power_now(const model::ElementBlock& block, LocalIndex batch, const model::
     Pack v[3];
     components_of(velocity, v[0], v[1], v[2]);
     for (int i = 0; i < 3; ++i) sum += force[i * block.corners() + c] * v[i];
+    if (!block.turns()) continue;
+    const auto rate = [&](int lane) {
+      return *reinterpret_cast<const Quad*>(nth(state.rotations, node[c * pack_width + lane]).rate);
+    };
+    components_of(rate, v[0], v[1], v[2]);
+    for (int i = 0; i < 3; ++i) sum += force[(i + 3) * block.corners() + c] * v[i];
   }
   return sum;
 }
@@ -30,7 +36,8 @@ void for_kept(const model::Model& model, const model::State& state, const model:
     const auto* force = reinterpret_cast<const Pack*>(scratch.element_force[b].data());
     const auto* before = reinterpret_cast<const Pack*>(scratch.element_power[b].data());
     for (LocalIndex batch = 0; batch < block.batches(); ++batch) {
-      const Pack now = power_now(block, batch, state, force + std::ptrdiff_t{batch} * 3 * block.corners());
+      const Pack now =
+          power_now(block, batch, state, force + std::ptrdiff_t{batch} * block.corner_components() * block.corners());
       const int lanes = std::min(pack_width, block.count - batch * pack_width);
       for (int lane = 0; lane < lanes; ++lane)
         use(b, static_cast<std::size_t>(batch * pack_width + lane), before[batch][lane], now[lane]);

@@ -17,6 +17,12 @@ const Kernels& kernels_of(element::ElementKind kind) {
       return hex8_full_kernels;
     case element::ElementKind::hex8_bbar:
       return hex8_bbar_kernels;
+    case element::ElementKind::shell4:
+      return shell4_kernels;
+    case element::ElementKind::shell4_full:
+      return shell4_full_kernels;
+    case element::ElementKind::shell3:
+      return shell3_kernels;
     case element::ElementKind::tet4:
       break;
   }
@@ -33,6 +39,7 @@ std::vector<element::HistoryField> history_fields(const model::ElementBlock& blo
 ElementReport trial_forces(const model::Model& model, const Motion& motion, const History& committed, History& trial,
                            model::Scratch& scratch) {
   std::fill(scratch.force.begin(), scratch.force.end(), Quad{});
+  std::fill(scratch.moment.begin(), scratch.moment.end(), Quad{});
   ElementReport report;
   const BlockPass pass{model, motion, committed, trial, scratch, report};
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
@@ -45,7 +52,8 @@ ElementReport trial_forces(const model::Model& model, const Motion& motion, cons
 
 ElementReport internal_forces(const model::Model& model, model::State& state, model::Scratch& scratch,
                               const StepWatch& watch) {
-  const Motion motion{.nodes = state.nodes, .dt = state.dt, .living = state.living.lanes, .watch = watch};
+  const Motion motion{
+      .nodes = state.nodes, .dt = state.dt, .living = state.living.lanes, .watch = watch, .rotations = state.rotations};
   return trial_forces(model, motion, state.history, state.history, scratch);
 }
 

@@ -29,5 +29,8 @@ extern const Kernels hex8_kernels;
 extern const Kernels hex8_full_kernels;
 extern const Kernels hex8_bbar_kernels;
 extern const Kernels tet4_kernels;
+extern const Kernels shell4_kernels;
+extern const Kernels shell4_full_kernels;
+extern const Kernels shell3_kernels;
 
 }  // namespace brunt::force

@@ -38,6 +38,7 @@ template <int nodes, int history_size>
 struct RepeatedLane {
   std::array<LocalIndex, static_cast<std::size_t>(nodes* pack_width)> node;  ///< as input of the kernel
   std::array<Pack, static_cast<std::size_t>(history_size)> memory, kept;     ///< likewise, and the original values
+  int used = history_size;                                                   ///< entries of an element
 
   /// Replaces each removed element by a living one.
   void put(const LocalIndex* nodes_of_batch, std::uint8_t living, const Pack* committed) {
@@ -45,17 +46,17 @@ struct RepeatedLane {
     for (int c = 0; c < nodes; ++c)
       for (int lane = 0; lane < pack_width; ++lane)
         nth(node, c * pack_width + lane) = nodes_of_batch[c * pack_width + (lives(living, lane) ? lane : shown)];
-    std::copy_n(committed, history_size, kept.begin());
-    memory = kept;
-    for (Pack& value : memory)
+    std::copy_n(committed, used, kept.begin());
+    std::copy_n(committed, used, memory.begin());
+    for (Pack& value : std::span(memory).first(static_cast<std::size_t>(used)))
       for (int lane = 0; lane < pack_width; ++lane)
         if (!lives(living, lane)) value[lane] = value[shown];
   }
   /// Restores the histories of removed elements.
   void take_off(std::uint8_t living, Pack* trial) const {
-    for (std::size_t k = 0; k < kept.size(); ++k)
+    for (int k = 0; k < used; ++k)
       for (int lane = 0; lane < pack_width; ++lane)
-        if (!lives(living, lane)) trial[k][lane] = kept[k][lane];
+        if (!lives(living, lane)) trial[k][lane] = nth(kept, k)[lane];
   }
 };
 

@@ -11,7 +11,11 @@ enum class Lumped { all, deformable };  ///< elements whose masses go to their n
 /// (border nodes: separate values in scratch.slots). Throws GuardError for an element without volume.
 void lump_mass(const model::Model& model, model::State& state, model::Scratch& scratch, Lumped elements = Lumped::all);
 
-/// Volume of one hexahedron (exact for trilinear faces) or tetrahedron with reference corners X.
+/// Likewise the rotary inertia of shells, to their histories and the first component of scratch.moment (and
+/// scratch.moment_slots). Masses are in the histories already.
+void lump_rotary_inertia(const model::Model& model, model::State& state, model::Scratch& scratch);
+
+/// Volume of one hexahedron (exact for trilinear faces), tetrahedron or shell with reference corners X.
 double element_volume(const model::ElementBlock& block, const Quad* reference, LocalIndex element);
 
 }  // namespace brunt::force

@@ -20,6 +20,9 @@ Tangents tangents_of(element::ElementKind kind) {
     case element::ElementKind::tet4:
       return tet4_tangents;
     case element::ElementKind::hex8:
+    case element::ElementKind::shell4:
+    case element::ElementKind::shell4_full:
+    case element::ElementKind::shell3:
       break;
   }
   return nullptr;

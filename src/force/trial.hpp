@@ -20,6 +20,7 @@ struct Motion {
   bool viscous = true;  ///< with bulk viscosity, and the viscous hourglass control of one-point hexahedra
   std::span<const std::vector<std::uint8_t>> living{};  ///< lanes as model::Living has them; none: all elements live
   StepWatch watch{};
+  std::span<const model::RotationLine> rotations{};  ///< by node: rates of rotation of the step; none without shells
 };
 
 /// Forces at the end of the step in `scratch`, as after internal_forces. Histories advance from `committed`, at the

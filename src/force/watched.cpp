@@ -21,7 +21,13 @@ void book_interface(const model::Model& model, model::State& state, const model:
     for (const model::WatchedCorner& corner : model.between_parts.corners[b]) {
       const auto i = static_cast<std::size_t>(corner.node);
       const Vec3 twice_mean_v = scratch.before[i] + Eigen::Map<const Vec3>(state.nodes[i].v);
-      nth(state.interface_work[b], corner.element) += 0.5 * dt_mean * twice_mean_v.dot(corner_force(scratch, corner));
+      double twice_power = twice_mean_v.dot(corner_force(scratch, corner));
+      if (model.blocks[b].turns()) {
+        const Quad& before = scratch.rate_before[i];
+        const Vec3 twice_mean_rate = Vec3(before[0], before[1], before[2]) + Vec3(state.rotations[i].rate);
+        twice_power += twice_mean_rate.dot(corner_moment(scratch, corner));
+      }
+      nth(state.interface_work[b], corner.element) += 0.5 * dt_mean * twice_power;
     }
 }
 
@@ -29,7 +35,10 @@ void add_interface_work(const model::Model& model, model::State& state, const mo
   for (std::size_t b = 0; b < state.interface_work.size(); ++b)
     for (const model::WatchedCorner& corner : model.between_parts.corners[b]) {
       const Vec3 v = Eigen::Map<const Vec3>(nth(state.nodes, corner.node).v);
-      nth(state.interface_work[b], corner.element) += time * v.dot(corner_force(scratch, corner));
+      double power = v.dot(corner_force(scratch, corner));
+      if (model.blocks[b].turns())
+        power += Vec3(nth(state.rotations, corner.node).rate).dot(corner_moment(scratch, corner));
+      nth(state.interface_work[b], corner.element) += time * power;
     }
 }
 

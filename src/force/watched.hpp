@@ -18,6 +18,12 @@ inline Vec3 corner_force(const model::Scratch& scratch, const model::WatchedCorn
   return {f[0], f[1], f[2]};
 }
 
+/// Likewise of a shell: its moment about the node.
+inline Vec3 corner_moment(const model::Scratch& scratch, const model::WatchedCorner& corner) {
+  const double* m = &scratch.moment_slots[4 * static_cast<std::size_t>(corner.slot)];
+  return {m[0], m[1], m[2]};
+}
+
 /// After the step from t_n: adds to State::interface_work the work of the elements on nodes between parts, each impulse
 /// times the mean of the velocities before and after.
 void book_interface(const model::Model& model, model::State& state, const model::Scratch& scratch, double dt_mean);

@@ -34,6 +34,7 @@ struct ElementBlock {
   element::Hourglass hourglass;
   element::BulkViscosity bulk;
   std::optional<Erosion> erosion;
+  element::ShellSection section;  ///< of shells
 
   LocalIndex count = 0;  ///< elements here; the last batch is padded with copies of the last element
   cells::Shape shape = cells::Shape::hex8;
@@ -46,6 +47,9 @@ struct ElementBlock {
 
   [[nodiscard]] LocalIndex batches() const { return (count + pack_width - 1) / pack_width; }
   [[nodiscard]] int corners() const { return cells::of(shape).corners; }  ///< of each element
+  /// Its elements have rotations at their corners, and moments there.
+  [[nodiscard]] bool turns() const { return element::is_shell(kind) && !material::is_rigid(law); }
+  [[nodiscard]] int corner_components() const { return turns() ? 6 : 3; }  ///< of forces, then moments, at a corner
   [[nodiscard]] LocalIndex corner_node(LocalIndex e, int c) const {
     const std::ptrdiff_t row = std::ptrdiff_t{e / pack_width} * corners() + c;
     return nth(node, row * pack_width + e % pack_width);

@@ -18,7 +18,8 @@ struct PressureLoad {
 
 /// Forces of constant direction that do not follow the motion.
 struct DeadForce {
-  Vec3 value = Vec3::Zero();  ///< of each node [force], of all together [force], or for each area [stress]
+  Vec3 value = Vec3::Zero();   ///< of each node [force], of all together [force], or for each area [stress]
+  Vec3 moment = Vec3::Zero();  ///< of each node, which turns [moment]; of `each_node` alone
   enum class Kind { each_node, total, traction } kind = Kind::each_node;
 };
 struct DeadLoad : DeadForce {

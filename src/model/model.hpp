@@ -2,6 +2,7 @@
 // The data of a run: Model is constant during the run, State changes with every step, Scratch is sized once and carries
 // nothing from one step to the next.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "model/element_block.hpp"
 #include "model/loads.hpp"
 #include "model/rigid_body.hpp"
+#include "model/rotations.hpp"
 #include "model/supports.hpp"
 #include "model/touching.hpp"
 
@@ -68,6 +70,8 @@ struct Model {
   std::vector<rigid::JointGroup> joint_groups;
 
   Supports supports;
+  Supports rotation_supports;       ///< of rotations of nodes
+  std::vector<LocalIndex> turning;  ///< nodes that turn, ascending; found with their inertia
   Loads loads;
   bool relaxes = false;  ///< a phase before t = 0 finds the static state
   Touching touching;
@@ -84,6 +88,10 @@ struct Model {
     for (const ElementBlock& block : blocks)
       if (block.erosion) return true;
     return false;
+  }
+  /// Whether a part of the model, on any rank, is a shell.
+  [[nodiscard]] bool turns() const {
+    return std::ranges::any_of(blocks, [](const ElementBlock& block) { return block.turns(); });
   }
   [[nodiscard]] bool loses_elements() const { return !losses.removals.empty() || any_erosion(); }
   /// Whether the work of loads is recorded. The search for a static state needs it even without loads.
@@ -130,10 +138,12 @@ struct State {
   std::vector<double> reaction_work;           ///< of fixed and prescribed nodes; empty where the scene has none
   std::vector<double> load_impulse;            ///< three a node: gravity, pressure, damping
   std::vector<double> reaction_impulse;        ///< three a node: fixed and prescribed
-  std::vector<rigid::BodyState> bodies;        ///< of Model::bodies, the same on all ranks
-  std::vector<BodyAccount> body_accounts;      ///< likewise
-  std::vector<JointAccount> joint_accounts;    ///< of Model::joints, likewise
-  std::vector<double> wall_position;           ///< travel of each wall along its normal
+  AlignedVector<RotationLine> rotations;       ///< by node; empty without shells
+  std::vector<RotationAccount> rotation_accounts;  ///< likewise
+  std::vector<rigid::BodyState> bodies;            ///< of Model::bodies, the same on all ranks
+  std::vector<BodyAccount> body_accounts;          ///< likewise
+  std::vector<JointAccount> joint_accounts;        ///< of Model::joints, likewise
+  std::vector<double> wall_position;               ///< travel of each wall along its normal
   /// By block and element: work of its forces on nodes of several parts; empty unless energies of parts are asked for.
   std::vector<std::vector<double>> interface_work;
   /// By block and element: 1; 0 once it has been removed, -1 if its nodes are dropped with it. Empty for blocks that
@@ -153,9 +163,13 @@ struct Scratch {
   AlignedVector<Quad> force;    ///< minus the internal force; the fourth is unused
   AlignedVector<Quad> load;     ///< gravity, pressure; empty where the scene has neither these nor damping
   AlignedVector<double> slots;  ///< unsummed corner forces of border nodes, four each
-  /// Of blocks that may lose elements, else empty: forces of their elements on the corners at t_n,
-  /// [batch][component][corner][lane]; their power with v_{n-1/2}, [batch][lane]; and, by element, the half of the last
-  /// step's work that was done with v_{n+1/2}.
+  /// By node, empty without shells: minus the internal moments, moments of loads, and rates of rotation at n - 1/2; the
+  /// fourth components are unused.
+  AlignedVector<Quad> moment, moment_load, rate_before;
+  AlignedVector<double> moment_slots;  ///< unsummed corner moments of border nodes, as `slots`
+  /// Of blocks that may lose elements, else empty: forces of their elements on the corners at t_n (of shells also
+  /// moments), [batch][component][corner][lane]; their power with v_{n-1/2}, [batch][lane]; and, by element, the half
+  /// of the last step's work that was done with v_{n+1/2}.
   std::vector<AlignedVector<double>> element_force, element_power;
   std::vector<std::vector<double>> last_work;
   /// Of blocks that erode, else empty: for each element at t_n, 1 / (stable step) and the volume relative to the

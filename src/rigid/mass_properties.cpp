@@ -77,6 +77,36 @@ MassMoments tetrahedron_moments(std::span<const Vec3, 4> corners, double density
   return {mass, 0.25 * mass * sum, mass / 20 * (squares + sum * sum.transpose())};
 }
 
+namespace {
+
+/// Of a flat triangle with its mass spread over a thickness about its middle.
+MassMoments triangle_moments(const Vec3& a, const Vec3& b, const Vec3& c, double thickness, double offset,
+                             double density) {
+  const Vec3 twice_area = (b - a).cross(c - a);
+  const double size = twice_area.norm();
+  if (!(size > 0)) return {};
+  const Vec3 normal = twice_area / size, shift = offset * thickness * normal;
+  const double mass = 0.5 * size * thickness * density;
+  MassMoments moments{mass, mass * ((a + b + c) / 3 + shift)};
+  for (const Vec3& middle : {Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a))}) {  // exact to degree 2
+    const Vec3 x = middle + shift;
+    moments.second += mass / 3 * x * x.transpose();
+  }
+  moments.second += mass * thickness * thickness / 12 * normal * normal.transpose();
+  return moments;
+}
+
+}  // namespace
+
+MassMoments shell_moments(std::span<const Vec3> corners, double thickness, double offset, double density) {
+  if (corners.size() == 3) return triangle_moments(corners[0], corners[1], corners[2], thickness, offset, density);
+  const Vec3 centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  MassMoments sum;
+  for (std::size_t k = 0; k < 4; ++k)
+    sum = sum + triangle_moments(corners[k], corners[(k + 1) % 4], centre, thickness, offset, density);
+  return sum;
+}
+
 MassProperties properties_of(const MassMoments& moments) {
   const Vec3 centre = moments.first / moments.mass;
   const Mat3 second = moments.second - moments.mass * centre * centre.transpose();

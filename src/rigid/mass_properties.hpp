@@ -30,6 +30,10 @@ struct MassMoments {
 /// Of the tetrahedron with flat faces, exact.
 [[nodiscard]] MassMoments tetrahedron_moments(std::span<const Vec3, 4> corners, double density);
 
+/// Of a shell between flat triangles, four around the centre of a quadrilateral: corners counter-clockwise seen from
+/// its top, middle at offset * thickness along the normal. Exact for flat shells.
+[[nodiscard]] MassMoments shell_moments(std::span<const Vec3> corners, double thickness, double offset, double density);
+
 /// The inertial properties of a rigid body in its reference position.
 struct MassProperties {
   double mass = 0;

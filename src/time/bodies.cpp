@@ -31,6 +31,10 @@ void add_force(const Vec3& force, const Vec3& arm, comm::ExactAccumulator* sums)
   }
 }
 
+void add_moment(const Quad& moment, comm::ExactAccumulator* sums) {
+  for (int c = 0; c < 3; ++c) sums[3 + c].add(moment[c]);
+}
+
 model::Wrench wrench_of(const double* sums) {
   return {Vec3(sums), Vec3(sums + 3)};
 }
@@ -116,6 +120,19 @@ double work_of(const BodyStep& now, const Vec3& impulse, const Vec3& angular_imp
                 angular_impulse.dot(now.before.spin + now.after.spin));
 }
 
+/// Nodes of shells turn with the body that carries them: Cayley's vector of its rotation over the step (`now.turn` is
+/// that at its start).
+void turn_shells(const RigidBody& body, const rigid::BodyState& moving, double dt, const BodyStep& now,
+                 model::State& state) {
+  const Eigen::Quaterniond step(moving.orientation * Eigen::Quaterniond(now.turn).conjugate());
+  const Vec3 rate = dt > 0 ? Vec3(2 / (step.w() * dt) * step.vec()) : now.after.spin;
+  for_nodes(body, [&](std::size_t, std::size_t i) {
+    model::RotationLine& line = state.rotations[i];
+    Eigen::Map<Vec3>(line.rate) = rate;
+    Eigen::Map<Eigen::Quaterniond>(line.turn) = moving.orientation;
+  });
+}
+
 }  // namespace
 
 void clear_body_loads(const model::Model& model, model::Scratch& scratch) {
@@ -140,6 +157,9 @@ void sum_body_forces(const model::Model& model, const model::State& state, model
       const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - centre;
       add_force(of(scratch.force[i]), arm, sums);
       if (model.loaded()) add_force(of(scratch.load[i]), arm, sums + wrench_width);
+      if (scratch.moment.empty()) continue;
+      add_moment(scratch.moment[i], sums);
+      if (model.loaded()) add_moment(scratch.moment_load[i], sums + wrench_width);
     }
   }
   if (links.body_sums.empty()) return;
@@ -173,6 +193,9 @@ void predict_bodies(const model::Model& model, model::State& state, model::Scrat
       Eigen::Map<Vec3> predicted(state.nodes[i].v);
       predicted = now.predicted.velocity + now.predicted.spin.cross(arm);
       widen(predicted, velocities.data() + 6);
+      if (state.rotations.empty()) return;
+      for (int c = 0; c < 3; ++c) scratch.rate_before[i][c] = now.before.spin[c];
+      Eigen::Map<Vec3>(state.rotations[i].rate) = now.predicted.spin;
     });
   }
 }
@@ -224,6 +247,7 @@ void push_bodies(const model::Model& model, std::span<const contact::BodyAnswer>
     for_nodes(model.bodies[b], [&](std::size_t, std::size_t i) {
       const Vec3 arm = Eigen::Map<const Vec3>(state.nodes[i].x) - now.centre;
       Eigen::Map<Vec3>(state.nodes[i].v) = now.after.velocity + now.after.spin.cross(arm);
+      if (!state.rotations.empty()) Eigen::Map<Vec3>(state.rotations[i].rate) = now.after.spin;
     });
   }
 }
@@ -266,6 +290,7 @@ void move_bodies(const model::Model& model, model::State& state, model::Scratch&
     rigid::BodyState& moving = state.bodies[b];
     const rigid::Gyroscopic forced = advance_body(body, now, dt, moving);
     if (body.support.holds_turn) book_forced_turn(forced, now, state.body_accounts[b]);
+    if (!state.rotations.empty()) turn_shells(body, moving, dt, now, state);
     const Mat3 turn = moving.orientation.toRotationMatrix() - Mat3::Identity();
     for_nodes(body, [&](std::size_t k, std::size_t i) {
       const Vec3 u = moving.displacement + turn * body.arm[k];

@@ -20,7 +20,8 @@ void link_bodies(const comm::Communicator& ranks, model::Model& model);
 
 /// Mass, centre and inertia of all bodies, and the arms of their nodes. joined: by node, the mass of deformable
 /// elements. Collective.
-void weigh_bodies(const comm::Communicator& ranks, model::Model& model, std::span<const Quad> joined);
+void weigh_bodies(const comm::Communicator& ranks, model::Model& model, std::span<const Quad> joined,
+                  std::span<const model::RotationLine> rotations);
 
 /// Initial velocities of bodies and their nodes, without the components that supports constrain.
 void start_bodies(const model::Model& model, model::State& state);

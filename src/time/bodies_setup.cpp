@@ -81,6 +81,9 @@ MassMoments element_moments(const model::Model& model, const model::ElementBlock
   const double density = material::initial_moduli(block.law).density;
   std::array<Vec3, cells::most_corners> corner;
   for (int c = 0; c < block.corners(); ++c) nth(corner, c) = of(nth(model.reference, block.corner_node(e, c))) - from;
+  if (cells::is_surface(block.shape))
+    return rigid::shell_moments(std::span<const Vec3>(corner).first(static_cast<std::size_t>(block.corners())),
+                                block.section.thickness, block.section.offset, density);
   return block.shape == cells::Shape::hex8
              ? rigid::hexahedron_moments(corner, density)
              : rigid::tetrahedron_moments(std::span<const Vec3, 8>(corner).first<4>(), density);
@@ -109,15 +112,17 @@ MassProperties own_properties(const comm::Communicator& ranks, const model::Mode
   return own;
 }
 
-/// The masses of deformable elements on the body's nodes.
+/// The masses of deformable elements on the body's nodes, and the rotary inertia of shells there.
 MassMoments joined_moments(const comm::Communicator& ranks, const model::Model& model, const model::RigidBody& body,
-                           std::span<const Quad> joined, const Vec3& from) {
+                           std::span<const Quad> joined, std::span<const model::RotationLine> rotations,
+                           const Vec3& from) {
   MomentSums sums;
   for_nodes(body, [&](std::size_t, std::size_t i) {
     const double mass = joined[i][0];
     if (mass == 0 || model.mesh.owner[i] != ranks.rank()) return;
     const Vec3 place = of(model.reference[i]) - from;
-    sums.add({mass, mass * place, mass * place * place.transpose()});
+    const double turning = rotations.empty() ? 0.0 : rotations[i].inertia;  // as of a small sphere
+    sums.add({mass, mass * place, mass * place * place.transpose() + 0.5 * turning * Mat3::Identity()});
   });
   return sums.total(ranks);
 }
@@ -148,12 +153,13 @@ void link_bodies(const comm::Communicator& ranks, model::Model& model) {
   }
 }
 
-void weigh_bodies(const comm::Communicator& ranks, model::Model& model, std::span<const Quad> joined) {
+void weigh_bodies(const comm::Communicator& ranks, model::Model& model, std::span<const Quad> joined,
+                  std::span<const model::RotationLine> rotations) {
   for (model::RigidBody& body : model.bodies) {
     const Vec3 from = middle_of(ranks, model, body);
     body.own = own_properties(ranks, model, body, from);
     MassProperties all = body.own;
-    const MassMoments more = joined_moments(ranks, model, body, joined, from);
+    const MassMoments more = joined_moments(ranks, model, body, joined, rotations, from);
     if (more.mass > 0) all = rigid::properties_of(rigid::moments_of(body.own) + more);
     body.own.centre += from;
     all.centre += from;
@@ -180,6 +186,7 @@ void start_bodies(const model::Model& model, model::State& state) {
     now.angular_momentum = rigid::angular_momentum_of(body.body, now, spin);
     for_nodes(body, [&](std::size_t k, std::size_t i) {
       Eigen::Map<Vec3>(state.nodes[i].v) = now.velocity + spin.cross(now.orientation * body.arm[k]);
+      if (!state.rotations.empty()) Eigen::Map<Vec3>(state.rotations[i].rate) = spin;
     });
   }
 }

@@ -31,13 +31,14 @@ class Histories {
   }
 
   /// Mean stress of the points times the sign: the maximum, or the mean.
-  [[nodiscard]] double pressure(const model::HistoryRange& stress, LocalIndex e, Erosion::Points rule,
-                                double sign) const {
-    const int points = stress.components / 6;
+  [[nodiscard]] double pressure(LocalIndex e, Erosion::Points rule, double sign) const {
+    const bool shell = block_.turns();  // xx, yy and shears of plane stress
+    const model::HistoryRange& stress = *block_.find(shell ? "local_stress" : "stress");
+    const int stride = shell ? 5 : 6, normal = shell ? 2 : 3, points = stress.components / stride;
     double largest = -HUGE_VAL, sum = 0;
     for (int p = 0; p < points; ++p) {
       double trace = 0;
-      for (int c = 0; c < 3; ++c) trace += at(stress.first + 6 * p + c, e);
+      for (int c = 0; c < normal; ++c) trace += at(stress.first + stride * p + c, e);
       const double value = -sign * trace / 3;
       if (!(value <= largest)) largest = value;
       sum += value;
@@ -75,8 +76,7 @@ GlobalIndex* met(const model::ElementBlock& block, const Histories& histories, L
     return &count.plastic_strain;
   if (erosion.pressure) {
     const double sign = *erosion.pressure > 0 ? 1 : -1;
-    if (histories.pressure(*block.find("stress"), e, erosion.points, sign) >= std::abs(*erosion.pressure))
-      return &count.pressure;
+    if (histories.pressure(e, erosion.points, sign) >= std::abs(*erosion.pressure)) return &count.pressure;
   }
   if (!erosion.takes_collapsed()) return nullptr;
   if (!(histories.volume(e) > erosion.volume.value_or(0))) return &count.volume;

@@ -8,6 +8,7 @@
 #include "time/bodies.hpp"
 #include "time/driven_start.hpp"
 #include "time/joints.hpp"
+#include "time/rotations.hpp"
 
 namespace brunt::time {
 namespace {
@@ -51,6 +52,7 @@ void size_nodes(const model::Model& model, model::State& state, model::Scratch& 
     scratch.load.resize(n);
   }
   if (model.damped()) state.damping_work.assign(n, 0.0);
+  if (model.turns()) size_rotations(model, state, scratch);
   if (model.supports.any) {
     state.reaction_work.assign(n, 0.0);
     state.reaction_impulse.assign(3 * n, 0.0);
@@ -83,8 +85,10 @@ void size_removals(const model::Model& model, model::State& state, model::Scratc
     state.alive[b].assign(count, 1.0);
     state.element_work[b].assign(count, 0.0);
     scratch.last_work[b].assign(count, 0.0);
-    scratch.element_force[b].assign(batches * 3 * static_cast<std::size_t>(model.blocks[b].corners()) * pack_width,
-                                    0.0);
+    scratch.element_force[b].assign(
+        batches * static_cast<std::size_t>(model.blocks[b].corner_components() * model.blocks[b].corners()) *
+            pack_width,
+        0.0);
     scratch.element_power[b].assign(batches * pack_width, 0.0);
     if (model.blocks[b].erosion) scratch.element_bounds[b].assign(2 * batches * pack_width, 0.0);
   }
@@ -122,7 +126,7 @@ void add_bodies(model::State& state, std::vector<model::StateArray>& arrays) {
 }  // namespace
 
 void initialise(model::Model& model, model::State& state, model::Scratch& scratch, Links& links,
-                std::span<const Vec3> velocity) {
+                std::span<const Vec3> velocity, std::span<const Vec3> rate) {
   // decided over all ranks: a registry must list the same arrays everywhere
   model.supports.any = links.ranks.any(!model.supports.nodes.empty());
   model.between_parts.booked = links.ranks.any(!model.between_parts.nodes.empty());
@@ -150,23 +154,26 @@ void initialise(model::Model& model, model::State& state, model::Scratch& scratc
   };
   if (!model.bodies.empty()) {
     sum_masses(force::Lumped::deformable);
-    weigh_bodies(links.ranks, model, {scratch.force.data(), scratch.force.size()});
+    if (model.turns()) weigh_rotations(model, state, scratch, links);
+    weigh_bodies(links.ranks, model, {scratch.force.data(), scratch.force.size()}, state.rotations);
     place_joints(model, state, scratch);
   }
   sum_masses(force::Lumped::all);
   std::ranges::fill(scratch.slots, 0.0);  // those of rigid elements remain zero, since these have no forces
   for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].mass = scratch.force[i][0];
+  if (model.turns() && model.bodies.empty()) weigh_rotations(model, state, scratch, links);
   for (const LocalIndex node : model.deferred) nth(state.nodes, node).deferred = 1.0;
   for (const model::RigidBody& body : model.bodies)
     for (const LocalIndex node : body.nodes) nth(state.nodes, node).deferred = 1.0;
   if (model.relaxes)
     state.relaxation.under_way = 1;
   else
-    start_velocities(model, state, velocity);
+    start_velocities(model, state, velocity, rate);
   update_positions(model, state);
 }
 
-void start_velocities(const model::Model& model, model::State& state, std::span<const Vec3> velocity) {
+void start_velocities(const model::Model& model, model::State& state, std::span<const Vec3> velocity,
+                      std::span<const Vec3> rate) {
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     for (int c = 0; c < 3; ++c) state.nodes[i].v[c] = velocity[i][c];
   for (std::size_t k = 0; k < model.supports.nodes.size(); ++k) {
@@ -179,6 +186,7 @@ void start_velocities(const model::Model& model, model::State& state, std::span<
       if (drive >= 0) v[c] = driven_start(nth(model.supports.drives, drive), given[c]);
     }
   }
+  if (!state.rotations.empty()) start_rotations(model, state, rate);
   start_bodies(model, state);
 }
 
@@ -224,6 +232,7 @@ model::Registry state_registry(const model::Model& model, model::State& state) {
     arrays.push_back(nodal("reaction_work", state.reaction_work, 1, n));
     arrays.push_back(nodal("reaction_impulse", state.reaction_impulse, 3, n));
   }
+  if (!state.rotations.empty()) add_rotations(state, n, arrays);
   if (model.relaxes) {
     static_assert(sizeof(model::Relaxation) == model::relaxation_values * sizeof(double));
     arrays.push_back(global("relaxation", &state.relaxation.under_way, model::relaxation_values));

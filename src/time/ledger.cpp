@@ -8,6 +8,7 @@
 #include "contact/contact.hpp"
 #include "model/alive.hpp"
 #include "time/bodies_at_rest.hpp"
+#include "time/rotations.hpp"
 
 namespace brunt::time {
 namespace {
@@ -80,6 +81,17 @@ void add_node(const model::Model& model, const model::State& state, const model:
   sums[momentum_scale].add(node.mass * v.norm());
 }
 
+/// The rotation of a node of shells, whose momentum is none of translation.
+void add_rotation(const model::State& state, const model::Scratch& scratch, const StepReport& step, LocalIndex node,
+                  bool is_dropped, Sums& sums) {
+  const RotationEnergies now = rotation_energies(state, scratch, {step.dt, step.dt_mean, step.drag()}, node);
+  sums[element_work].add(now.element_work);
+  sums[load_work].add(now.load_work);
+  sums[damping_work].add(now.damping_work);
+  sums[reaction_work].add(now.reaction_work);
+  sums[is_dropped ? dropped : kinetic].add(now.kinetic);
+}
+
 /// As for a node: half of the work of the last impulses is subtracted.
 void add_body(const model::RigidBody& body, const model::BodyAccount& account, const model::BodyStep& now,
               const StepReport& step, Sums& sums) {
@@ -134,6 +146,8 @@ void add_nodes(const model::Model& model, const model::State& state, const model
     if (next_constrained < model.supports.nodes.size() && model.supports.nodes[next_constrained].node == node)
       own.reaction = &scratch.reaction[next_constrained];
     add_node(model, state, scratch, step, own, static_cast<std::size_t>(node), sums);
+    if (!state.rotations.empty() && nth(state.rotations, node).inertia > 0)
+      add_rotation(state, scratch, step, node, own.is_dropped, sums);
   }
 }
 

@@ -33,6 +33,14 @@ std::vector<comm::Contribution> number_slots(model::Model& model) {
   return contributions;
 }
 
+/// Corner moments have the slots of corner forces. Corners of solids have none: they belong to no shared node.
+std::vector<comm::Contribution> corners_of_shells(const model::Model& model, std::vector<comm::Contribution> corners) {
+  for (const model::ElementBlock& block : model.blocks)
+    if (!block.turns())
+      for (const model::BorderCorner& corner : block.border.values) nth(corners, corner.slot).node_gid = -1;
+  return corners;
+}
+
 /// The corners on nodes between parts, whose work is recorded element by element.
 void find_interface(model::Model& model) {
   model.between_parts.corners.clear();
@@ -86,6 +94,9 @@ Links link_ranks(const comm::Communicator& ranks, model::Model& model) {
   const std::vector<comm::Contribution> corners = number_slots(model);
   Links links{.ranks = ranks, .corner_forces = comm::OrderedSum(ranks, corners, mesh.shared, shared_gid, mesh.sharers)};
 
+  if (model.turns())
+    links.corner_moments =
+        comm::OrderedSum(ranks, corners_of_shells(model, corners), mesh.shared, shared_gid, mesh.sharers);
   link_bodies(ranks, model);
   find_interface(model);
   weigh_dead_loads(ranks, model, shared_gid);

@@ -18,7 +18,8 @@ namespace brunt::time {
 
 struct Links {
   comm::Communicator ranks;
-  comm::OrderedSum corner_forces{};  ///< corner forces of elements at the border between ranks
+  comm::OrderedSum corner_forces{};   ///< corner forces of elements at the border between ranks
+  comm::OrderedSum corner_moments{};  ///< likewise of shells, if the model has any
   std::vector<force::PressureCorner> pressure_corners{};
   comm::OrderedSum pressure{};
   AlignedVector<Quad> pressure_slots{};

@@ -14,6 +14,7 @@
 #include "model/hash.hpp"
 #include "time/bodies_at_rest.hpp"
 #include "time/initialise.hpp"
+#include "time/rotations.hpp"
 
 namespace brunt::time {
 namespace {
@@ -25,6 +26,7 @@ double kinetic_energy(const model::Model& model, const model::State& state, cons
     if (!carried.empty() && nth(carried, node) != 0) continue;
     const model::NodeLine& line = nth(state.nodes, node);
     sum[0].add(0.5 * line.mass * Eigen::Map<const Vec3>(line.v).squaredNorm());
+    if (model.turns()) sum[0].add(kinetic_energy_of_rotation(state, node));
   }
   std::array<double, 1> energy{};
   comm::exact_sum(links.ranks, sum, energy);
@@ -53,6 +55,11 @@ Balance balance(const model::Model& model, const model::State& state, const mode
     sums[left].add(net.squaredNorm());
     sums[given].add(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     sums[work].add(-state.displacement[i][3]);
+    if (state.rotations.empty() || !(state.rotations[i].inertia > 0)) continue;
+    const RotationBalance turning = balance_of_rotation(state, scratch, dt_mean, node);
+    sums[left].add(turning.left);
+    sums[given].add(turning.given);
+    sums[work].add(-state.rotation_accounts[i].element_work);
   }
   std::array<double, terms> value{};
   comm::exact_sum(links.ranks, sums, value);
@@ -83,6 +90,7 @@ void stop_nodes(const model::Model& model, model::State& state, const model::Scr
     Eigen::Map<Vec3> v(nth(state.nodes, constrained.node).v);
     v = constrained.free * v;
   }
+  stop_rotations(model, scratch, dt_mean, state);
   stop_bodies(model, scratch, dt_mean, state);
 }
 
@@ -111,6 +119,9 @@ class WorkAlongTheWay {
   void add(double half_step, bool after) {
     for (std::size_t i = 0; i < state_.nodes.size(); ++i)
       state_.displacement[i][3] += half_step * Eigen::Map<const Vec3>(state_.nodes[i].v).dot(of(scratch_.force[i]));
+    for (const LocalIndex node : model_.turning)
+      nth(state_.rotation_accounts, node).element_work +=
+          half_step * Eigen::Map<const Vec3>(nth(state_.rotations, node).rate).dot(of(nth(scratch_.moment, node)));
     add_work_on_bodies(model_, scratch_, half_step, after, state_);
     force::add_interface_work(model_, state_, scratch_, half_step);
     force::add_element_work(model_, state_, scratch_, half_step);
@@ -118,6 +129,7 @@ class WorkAlongTheWay {
   void keep() {
     nodes_.resize(state_.nodes.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i] = state_.displacement[i][3];
+    rotations_ = state_.rotation_accounts;
     bodies_.clear();
     for (const model::BodyAccount& account : state_.body_accounts) bodies_.push_back(account.element_work);
     interface_ = state_.interface_work;
@@ -125,6 +137,7 @@ class WorkAlongTheWay {
   }
   void give_back() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) state_.displacement[i][3] = nodes_[i];
+    std::ranges::copy(rotations_, state_.rotation_accounts.begin());
     for (std::size_t b = 0; b < bodies_.size(); ++b) state_.body_accounts[b].element_work = bodies_[b];
     for (std::size_t b = 0; b < interface_.size(); ++b)
       std::ranges::copy(interface_[b], state_.interface_work[b].begin());
@@ -136,6 +149,7 @@ class WorkAlongTheWay {
   model::State& state_;
   const model::Scratch& scratch_;
   std::vector<double> nodes_, bodies_;
+  std::vector<model::RotationAccount> rotations_;
   std::vector<std::vector<double>> interface_, elements_;
 };
 
@@ -179,6 +193,7 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
   const double share = phase.stage / relaxation_stages;
   if (share < 1) {
     for (Quad& load : scratch.load) load *= share;
+    for (Quad& moment : scratch.moment_load) moment *= share;
     scale_body_loads(share, scratch);
   }
   WorkAlongTheWay work(model, state, scratch);
@@ -210,15 +225,17 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
   return result;
 }
 
-void begin_run(const model::Model& model, model::State& state, std::span<const Vec3> velocity) {
+void begin_run(const model::Model& model, model::State& state, std::span<const Vec3> velocity,
+               std::span<const Vec3> rate) {
   state.relaxation.under_way = 0;
-  start_velocities(model, state, velocity);
+  start_velocities(model, state, velocity, rate);
   state.time = state.dt = state.step = 0;
   state.time_before = -1;
   state.rate_now = state.rate_before = 0;
   for (std::size_t i = 0; i < state.load_work.size(); ++i) state.load_work[i] = -state.displacement[i][3];
   for (auto* account : {&state.load_impulse, &state.damping_work, &state.reaction_work, &state.reaction_impulse})
     std::ranges::fill(*account, 0.0);
+  begin_accounts_of_rotations(model, state);
   begin_accounts_of_bodies(state);
 }
 

@@ -40,6 +40,7 @@ RelaxationStep relax(const model::Model& model, model::State& state, model::Scra
 /// Ends the phase: initial velocities, t = 0, step 0, impulses from zero. The bodies keep displacements, stresses and
 /// the work of their forces, which is counted as work of the loads, node by node: external = internal + hourglass +
 /// bulk at t = 0. (The caller resets the work of contact.)
-void begin_run(const model::Model& model, model::State& state, std::span<const Vec3> velocity);
+void begin_run(const model::Model& model, model::State& state, std::span<const Vec3> velocity,
+               std::span<const Vec3> rate = {});
 
 }  // namespace brunt::time

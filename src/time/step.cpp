@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "time/step.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "contact/contact.hpp"
+#include "core/error.hpp"
 #include "force/element_work.hpp"
 #include "force/loads.hpp"
 #include "force/watched.hpp"
 #include "model/curve.hpp"
 #include "time/bodies.hpp"
 #include "time/motion.hpp"
+#include "time/rotations.hpp"
 #include "time/sum_forces.hpp"
 
 namespace brunt::time {
@@ -138,6 +142,12 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   const double kept = state.dt > 0 ? state.dt : std::numeric_limits<double>::infinity();
   report.stable_dt = std::min(all_gone ? kept : control.cfl / largest, control.largest);
   report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
+  if (!report.stop && !(report.dt > 0 && std::isfinite(report.dt)))
+    throw GuardError(
+        fmt::format("out of range: the elements bound the step by {:g} at t = {:g}, since their masses or stiffnesses "
+                    "are beyond the "
+                    "numbers of the machine; expected other units, sizes or materials",
+                    report.dt, state.time));
   report.dt_mean = 0.5 * (state.dt + report.dt);
   report.alpha = force::damping_rate(model, state.time);
   // a run that begins in equilibrium: contact has the same impulse in all steps, and no velocity changes
@@ -154,6 +164,7 @@ void advance(const model::Model& model, model::State& state, model::Scratch& scr
     velocities = predict(model, state, scratch, interval);
     if (!model.bodies.empty()) predict_bodies(model, state, scratch, interval, velocities);
   }
+  if (!model.turning.empty()) advance_rotations(model, state, scratch, interval);
   if (contact) correct_contact(model, state, scratch, links, *contact, step, velocities);
   const auto timed = links.timers.measure(Phase::other);
   finish_late(model, state, scratch, interval);

@@ -12,13 +12,18 @@ namespace brunt::time {
 
 void sum_forces(const model::Model& model, const model::State& state, model::Scratch& scratch, Links& links) {
   links.corner_forces.begin(scratch.slots, 4);
+  if (model.turns()) links.corner_moments.begin(scratch.moment_slots, 4);
   if (model.loaded()) force::body_loads(model, state, scratch);
   if (model.loaded()) clear_body_loads(model, scratch);
+  std::fill(scratch.moment_load.begin(), scratch.moment_load.end(), Quad{});
   force::add_dead_loads(model, state.time, scratch);
   if (model.loaded())
     for (const LocalIndex node : state.living.dropped) nth(scratch.load, node) = Quad{};
   links.corner_forces.end(scratch.slots, 4, {reinterpret_cast<double*>(scratch.force.data()), 4 * scratch.force.size()},
                           4);
+  if (model.turns())
+    links.corner_moments.end(scratch.moment_slots, 4,
+                             {reinterpret_cast<double*>(scratch.moment.data()), 4 * scratch.moment.size()}, 4);
   if (model.loads.pressure.empty()) return;
 
   force::pressure_forces(model, state, links.pressure_slots);
