@@ -86,6 +86,13 @@ AnchorScene anchor_scene(const Contact& contact, std::span<const Wall> walls) {
           contact.derived.detection.tolerances};
 }
 
+/// Friction across a gap has a moment; rows of nodes keep it (FRICTION.md).
+void lay_arms_of_friction(const Contact& contact, std::span<Row> rows, TiltStore& store) {
+  const double least = contact.derived.detection.tolerances->fine_rounding * contact.surface.mean_edge;
+  store.start(rows);
+  tilt_mortar_rows(rows, contact.history.mortar, {contact.step.nodes.motion, least}, store);
+}
+
 void assign_friction(const Contact& contact, const StepInput& input, std::span<Row> rows) {
   for (Row& row : rows) {
     if (row.holds) continue;
@@ -135,7 +142,10 @@ void assemble_rows(Contact& contact, const StepInput& input) {
   soften_rows_of_bodies(input, carriers_of(contact, input), contact.step.nodes,
                         where_remembered(derived.enforcement.softness_of_bodies, derived.enforcement),
                         contact.step.rows);
-  if (derived.friction) assign_friction(contact, input, contact.step.rows);
+  if (derived.friction) {
+    assign_friction(contact, input, contact.step.rows);
+    if (derived.mortar) lay_arms_of_friction(contact, contact.step.rows, contact.step.scratch.tilts);
+  }
   if (derived.enforcement.method == Method::printed) assign_slabs(contact, contact.step.rows);
 }
 

@@ -129,13 +129,14 @@ void size_nodes(const Contact& contact, ContactLists& lists, ContactNodes& nodes
 }
 
 /// Ties with integrated weights have more points than rows of detection.
-RowRoom room_of(std::size_t most_rows, const TiedParts& tied) {
+RowRoom room_of(std::size_t most_rows, bool tilts, const TiedParts& tied) {
   RowRoom room{.rows = most_rows};
   for (LocalIndex r = 0; r < tied.mortar.nodes.rows(); ++r)
     room.points_of_a_row = std::max(room.points_of_a_row, tied.mortar.nodes.row(r).size());
   const std::size_t wide = tied.mortar.nodes.values.size();
   room.entries = most_nodes_of_a_row * most_rows + wide;
   room.arms = most_nodes_of_a_row * tied.ties.size() + wide;
+  if (tilts) room.tilts = most_nodes_of_a_row * most_rows;
   return room;
 }
 
@@ -146,7 +147,7 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, con
   scratch.detection.reserve(lists.faces.size(), step.facet_area.size(), lists.most_faces_of_a_slave);
   scratch.holds.reserve(lists.nodes.gid.size());
   const std::size_t most_rows = lists.most_rows + tied.ties.size();
-  const RowRoom room = room_of(most_rows, tied);
+  const RowRoom room = room_of(most_rows, derived.friction && derived.mortar, tied);
   step.rows.reserve(most_rows);
   scratch.row_sort.reserve(most_rows);
   step.impulses.reserve(most_rows);
@@ -165,6 +166,7 @@ void reserve_rows(const DerivedSettings& derived, const ContactLists& lists, con
   history.anchors.reserve(most_rows);
   scratch.next_anchors.reserve(most_rows);
   scratch.slid.reserve(most_rows);
+  scratch.tilts.values.reserve(room.tilts);
   history.limits.reserve(most_rows);
 }
 

@@ -8,6 +8,7 @@
 #include "contact/data/held_bodies.hpp"
 #include "contact/data/history.hpp"
 #include "contact/detection/detection.hpp"
+#include "contact/detection/tilts.hpp"
 #include "contact/enforcement/impact_return.hpp"
 #include "contact/enforcement/system.hpp"
 #include "contact/lists/list_motion.hpp"
@@ -60,6 +61,7 @@ struct StepScratch {
   MortarScratch mortar;
   EnforcementScratch enforcement;
   ImpactScratch impact;
+  TiltStore tilts;
   std::vector<HistoryRecord> next_pairs;
   std::vector<AnchorRecord> next_anchors;
   std::vector<Vec3> slid;  ///< of each row with friction, see write_anchors [length]

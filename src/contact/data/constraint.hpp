@@ -95,6 +95,9 @@ struct Row {
   double noise = 0;             ///< bound of the error of the required rate due to rounding of positions [velocity]
   Vec3 drift = Vec3::Zero();    ///< tangential velocity required in sticking [velocity]: recovers the slip
   std::span<const Arm> arms{};  ///< one a point, or none: of ties; live as long as the rows of a step
+  /// One a point, or none: of rows with friction across a gap, see detection/tilts.hpp. Across the normal; the velocity
+  /// v of the point contributes tilt (normal . v) to r, and the point receives normal (tilt . p). Live as the arms.
+  std::span<const Vec3> tilts{};
   /// Of a row with more points than `nodes` has room for, all of them and their weights; live as long as the rows.
   std::span<const LocalIndex> wide_points{};
   std::span<const double> wide_weights{};
@@ -117,6 +120,15 @@ template <std::invocable<LocalIndex> VelocityOf>
   for (std::size_t i = 0; i < row.points().size(); ++i) relative += row.arms[i].turn * velocity_of(row.points()[i]);
 }
 
+/// Contribution of tilts to the relative velocity.
+template <std::invocable<LocalIndex> VelocityOf>
+[[gnu::noinline]] void add_tilted(const Row& row, const VelocityOf& velocity_of, Vec3& relative) {
+  Vec3 tilted = Vec3::Zero();
+  for (std::size_t i = 0; i < row.points().size(); ++i)
+    tilted += row.normal.dot(velocity_of(row.points()[i])) * row.tilts[i];
+  relative += tilted;
+}
+
 /// The relative velocity of the row; velocity_of(node): of a contact node.
 template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::always_inline]] inline Vec3 relative_velocity(const Row& row, const VelocityOf& velocity_of) {
@@ -126,22 +138,26 @@ template <std::invocable<LocalIndex> VelocityOf>
   for (std::size_t i = 0; i < points.size(); ++i) relative += shares[i] * velocity_of(points[i]);
   if (!row.arms.empty()) [[unlikely]]
     add_turned(row, velocity_of, relative);
+  if (!row.tilts.empty()) add_tilted(row, velocity_of, relative);
   return relative;
 }
 
 /// The part of the row's impulse that acts on point i [momentum].
 inline Vec3 impulse_on_node(const Row& row, std::size_t i, const Vec3& impulse) {
-  const Vec3 share = row.shares()[i] * impulse;
-  return row.arms.empty() ? share : Vec3(share + row.arms[i].turn.transpose() * impulse);
+  Vec3 share = row.shares()[i] * impulse;
+  if (!row.arms.empty()) share += row.arms[i].turn.transpose() * impulse;
+  if (!row.tilts.empty()) share += row.tilts[i].dot(impulse) * row.normal;
+  return share;
 }
 
 /// Upper bound of the factor between a row's impulse and that on one of its nodes.
 inline double largest_share(const Row& row) {
   constexpr double beside = 2;  // weights of a tied node a little beside its face
-  if (row.wide_points.empty() && row.arms.empty()) return row.holds ? beside : 1.0;
+  if (row.wide_points.empty() && row.arms.empty() && row.tilts.empty()) return row.holds ? beside : 1.0;
   double most = 0;
   for (std::size_t i = 0; i < row.points().size(); ++i)
-    most = std::max(most, std::abs(row.shares()[i]) + (row.arms.empty() ? 0.0 : row.arms[i].size));
+    most = std::max(most, std::abs(row.shares()[i]) + (row.arms.empty() ? 0.0 : row.arms[i].size) +
+                              (row.tilts.empty() ? 0.0 : row.tilts[i].norm()));
   return most;
 }
 

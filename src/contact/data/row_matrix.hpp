@@ -38,6 +38,7 @@ struct RowLaw {
   Cone cone = Cone::compression;
   Across across = Across::slips;
   bool turns = false;  ///< it has moment arms
+  bool tilts = false;  ///< it has tilts, and no arms
 };
 
 /// Further quantities for single methods.
@@ -62,9 +63,10 @@ struct RowMatrix {
   std::vector<LocalIndex> offsets{0};  ///< of the entries: rows + 1
   std::vector<LocalIndex>
       points;  ///< contact nodes, one for each entry; the first one of a row represents its size and speed
-  std::vector<double> weights;        ///< an entry each, |weight| + size of its arm <= largest_weight
-  std::vector<LocalIndex> first_arm;  ///< a row each: where it turns, the arm of its first entry
+  std::vector<double> weights;        ///< an entry each, |weight| + size of its arm or tilt <= largest_weight
+  std::vector<LocalIndex> first_arm;  ///< a row each: the arm or tilt of its first entry, where it has some
   std::vector<Arm> arms;              ///< an entry each of the rows that turn
+  std::vector<Vec3> tilt_of;          ///< an entry each of the rows that tilt, see Row::tilts
   std::vector<RowLaw> laws;
   std::vector<RowFigures> figures;
   Ragged<BodyShare> on_bodies;  ///< a row each; no rows at all where there are no bodies
@@ -85,10 +87,14 @@ struct RowMatrix {
   [[nodiscard]] const Arm& arm(std::size_t q, std::size_t entry) const {
     return arms[static_cast<std::size_t>(first_arm[q]) + entry - begin(q)];
   }
+  /// Of an entry of a row that tilts.
+  [[nodiscard]] const Vec3& tilt(std::size_t q, std::size_t entry) const {
+    return tilt_of[static_cast<std::size_t>(first_arm[q]) + entry - begin(q)];
+  }
 
   void clear();
-  /// Reserves memory, so that a step allocates nothing. arms: number of entries of rows with lever arms.
-  void reserve(std::size_t rows, std::size_t entries, std::size_t arms);
+  /// Reserves memory, so that a step allocates nothing. arms, tilts: number of entries of rows that have them.
+  void reserve(std::size_t rows, std::size_t entries, std::size_t arms, std::size_t tilts);
   void add(LocalIndex point, double weight) {
     points.push_back(point);
     weights.push_back(weight);
@@ -97,7 +103,11 @@ struct RowMatrix {
     add(point, weight);
     arms.push_back(arm);
   }
-  /// Ends the row of the entries added since the last call, either all with an arm or none.
+  void add(LocalIndex point, double weight, const Vec3& tilt) {
+    add(point, weight);
+    tilt_of.push_back(tilt);
+  }
+  /// Ends the row of the entries added since the last call, all with an arm, all with a tilt or all with neither.
   void close_row(const RowLaw& law, const RowFigures& of_row);
   /// Row q of another matrix.
   void append(const RowMatrix& other, std::size_t q);
@@ -116,6 +126,15 @@ template <std::invocable<LocalIndex> VelocityOf>
     relative += rows.arm(q, k).turn * velocity_of(rows.points[k]);
 }
 
+/// Contribution of tilts to the relative velocity.
+template <std::invocable<LocalIndex> VelocityOf>
+[[gnu::noinline]] void add_tilted(const RowMatrix& rows, std::size_t q, const VelocityOf& velocity_of, Vec3& relative) {
+  Vec3 tilted = Vec3::Zero();
+  for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
+    tilted += rows.laws[q].normal.dot(velocity_of(rows.points[k])) * rows.tilt(q, k);
+  relative += tilted;
+}
+
 /// The relative velocity of row q; velocity_of(point): of a contact node.
 template <std::invocable<LocalIndex> VelocityOf>
 [[gnu::always_inline]] inline Vec3 relative_velocity(const RowMatrix& rows, std::size_t q,
@@ -125,13 +144,16 @@ template <std::invocable<LocalIndex> VelocityOf>
   for (std::size_t k = rows.begin(q); k < end; ++k) relative += rows.weights[k] * velocity_of(rows.points[k]);
   if (rows.laws[q].turns) [[unlikely]]
     add_turned(rows, q, velocity_of, relative);
+  if (rows.laws[q].tilts) add_tilted(rows, q, velocity_of, relative);
   return relative;
 }
 
 /// The part of the impulse of row q that acts on an entry's point [momentum].
 inline Vec3 impulse_on_point(const RowMatrix& rows, std::size_t q, std::size_t entry, const Vec3& impulse) {
-  const Vec3 share = rows.weights[entry] * impulse;
-  return rows.laws[q].turns ? Vec3(share + rows.arm(q, entry).turn.transpose() * impulse) : share;
+  Vec3 share = rows.weights[entry] * impulse;
+  if (rows.laws[q].turns) share += rows.arm(q, entry).turn.transpose() * impulse;
+  if (rows.laws[q].tilts) share += rows.tilt(q, entry).dot(impulse) * rows.laws[q].normal;
+  return share;
 }
 
 /// The largest admissible tangential impulse [momentum] for this normal impulse, if the row has friction.

@@ -56,6 +56,7 @@ bool find_blocks(const Carriers& carriers, std::span<const NodeMotion> motion, c
     if (block == scratch.blocks.end()) block = scratch.blocks.insert(block, {.body = point.body});
     Mat3 part = rows.weights[k] * Mat3::Identity();
     if (rows.laws[q].turns) part += rows.arm(q, k).turn;
+    if (rows.laws[q].tilts) part += rows.tilt(q, k) * rows.laws[q].normal.transpose();
     block->translation += part;
     block->rotation -= part * cross_matrix(arm_of(point, carriers, motion));
   }

@@ -104,18 +104,20 @@ void set_law(const RowLaw& law, double diagonal, int lane, RowBatch& batch) {
   batch.soft[lane] = flag(law.softness > 0);
   batch.any_soft = batch.any_soft || law.softness > 0;
   batch.any_turns = batch.any_turns || law.turns;
+  batch.any_tilts = batch.any_tilts || law.tilts;
 }
 
 constexpr auto width = static_cast<std::size_t>(pack_width);
 
 }  // namespace
 
-void PackedRows::reserve(std::size_t rows, std::size_t points_of_a_row, std::size_t nodes) {
+void PackedRows::reserve(std::size_t rows, std::size_t points_of_a_row, bool tilts, std::size_t nodes) {
   const std::size_t batches = (rows + width - 1) / width;
   batches_.reserve(batches);
   iterates_.reserve(batches);
   points_.reserve(batches * width * points_of_a_row);
   weights_.reserve(batches * points_of_a_row);
+  if (tilts) tilts_.reserve(batches * points_of_a_row);
   velocity_.reserve(nodes);
 }
 
@@ -126,6 +128,7 @@ void PackedRows::lay(const RowMatrix& rows, std::span<const double> diagonal, st
   iterates_.assign(batches, BatchIterate{});
   points_.clear();
   weights_.clear();
+  tilts_.clear();
   for (std::size_t b = 0; b < batches; ++b) {
     RowBatch& batch = batches_[b];
     batch.first = static_cast<LocalIndex>(weights_.size());
@@ -152,6 +155,20 @@ void PackedRows::lay(const RowMatrix& rows, std::span<const double> diagonal, st
       }
     }
     iterates_[b].previous = iterates_[b].impulse;
+    if (batch.any_tilts) lay_tilts(rows, b);
+  }
+}
+
+void PackedRows::lay_tilts(const RowMatrix& rows, std::size_t b) {
+  RowBatch& batch = batches_[b];
+  batch.first_tilt = static_cast<LocalIndex>(tilts_.size());
+  tilts_.resize(tilts_.size() + static_cast<std::size_t>(batch.entries), PackedVector{});
+  for (std::size_t lane = 0; lane < width && b * width + lane < rows.size(); ++lane) {
+    const std::size_t q = b * width + lane;
+    if (!rows.laws[q].tilts) continue;
+    for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
+      set(tilts_[static_cast<std::size_t>(batch.first_tilt) + k - rows.begin(q)], static_cast<int>(lane),
+          rows.tilt(q, k));
   }
 }
 
@@ -161,15 +178,32 @@ void PackedRows::take_velocities(std::span<const Vec3> velocity) {
     velocity_[n] = Quad{velocity[n][0], velocity[n][1], velocity[n][2], 0};
 }
 
+BRUNT_INLINE PackedVector PackedRows::velocity_at(std::size_t entry) const {
+  const LocalIndex* point = &points_[entry * width];
+  PackedVector v;
+  components_of([&](int lane) { return nth(velocity_, point[lane]); }, v[0], v[1], v[2]);
+  return v;
+}
+
+/// Of a batch with tilts.
+PackedVector PackedRows::tilted(const RowBatch& batch) const {
+  PackedVector sum{}, of_tilts{};
+  for (LocalIndex k = 0; k < batch.entries; ++k) {
+    const auto entry = static_cast<std::size_t>(batch.first + k);
+    const PackedVector v = velocity_at(entry);
+    sum = plus(sum, times(weights_[entry], v));
+    of_tilts = plus(of_tilts, times(dot(batch.normal, v), tilts_[static_cast<std::size_t>(batch.first_tilt + k)]));
+  }
+  return plus(sum, of_tilts);
+}
+
 PackedVector PackedRows::relative(const RowMatrix& rows, std::size_t b) const {
   const RowBatch& batch = batches_[b];
+  if (batch.any_tilts && !batch.any_turns) return tilted(batch);
   PackedVector sum{};
   for (LocalIndex k = 0; k < batch.entries; ++k) {
     const auto entry = static_cast<std::size_t>(batch.first + k);
-    const LocalIndex* point = &points_[entry * width];
-    PackedVector v;
-    components_of([&](int lane) { return nth(velocity_, point[lane]); }, v[0], v[1], v[2]);
-    sum = plus(sum, times(weights_[entry], v));
+    sum = plus(sum, times(weights_[entry], velocity_at(entry)));
   }
   if (!batch.any_turns) [[likely]]
     return sum;
@@ -179,9 +213,11 @@ PackedVector PackedRows::relative(const RowMatrix& rows, std::size_t b) const {
   };
   for (std::size_t lane = 0; lane < width && b * width + lane < rows.size(); ++lane) {
     const std::size_t q = b * width + lane;
-    if (!rows.laws[q].turns) continue;
+    const RowLaw& law = rows.laws[q];
+    if (!law.turns && !law.tilts) continue;
     Vec3 turned = of_lane(sum, static_cast<int>(lane));
-    add_turned(rows, q, velocity_of, turned);
+    if (law.turns) add_turned(rows, q, velocity_of, turned);
+    if (law.tilts) add_tilted(rows, q, velocity_of, turned);
     set(sum, static_cast<int>(lane), turned);
   }
   return sum;

@@ -24,7 +24,8 @@ struct RowBatch {
   Pack diagonal;  ///< H [1/mass]
   PackMask moves, pushes, slips, holds, soft;
   LocalIndex first = 0, entries = 0;  ///< in PackedRows::points, of all lanes
-  bool any_soft = false, any_turns = false;
+  LocalIndex first_tilt = 0;          ///< in PackedRows::tilts, of batches with any
+  bool any_soft = false, any_turns = false, any_tilts = false;
 };
 
 struct BatchIterate {
@@ -39,7 +40,7 @@ struct RowsSeen {
 
 class PackedRows {
  public:
-  void reserve(std::size_t rows, std::size_t points_of_a_row, std::size_t nodes);
+  void reserve(std::size_t rows, std::size_t points_of_a_row, bool tilts, std::size_t nodes);
   /// Lays the rows out; a row each of EnforcementScratch::diagonal, compliance and borne. The impulses before are the
   /// present ones, and the missing rates are zero.
   void lay(const RowMatrix& rows, std::span<const double> diagonal, std::span<const double> compliance,
@@ -53,13 +54,17 @@ class PackedRows {
   void reset();
 
  private:
+  void lay_tilts(const RowMatrix& rows, std::size_t b);
+  [[nodiscard]] PackedVector velocity_at(std::size_t entry) const;
+  [[nodiscard]] PackedVector tilted(const RowBatch& batch) const;
   [[nodiscard]] PackedVector relative(const RowMatrix& rows, std::size_t b) const;
 
   AlignedVector<RowBatch> batches_;
   AlignedVector<BatchIterate> iterates_;
-  std::vector<LocalIndex> points_;  ///< of each batch: [entry][lane]; weight 0 where a row has fewer entries
-  AlignedVector<Pack> weights_;     ///< [entry]
-  AlignedVector<Quad> velocity_;    ///< of the contact nodes
+  std::vector<LocalIndex> points_;     ///< of each batch: [entry][lane]; weight 0 where a row has fewer entries
+  AlignedVector<Pack> weights_;        ///< [entry]
+  AlignedVector<PackedVector> tilts_;  ///< [entry] of batches with tilts, 0 where a row has none
+  AlignedVector<Quad> velocity_;       ///< of the contact nodes
 };
 
 }  // namespace brunt::contact

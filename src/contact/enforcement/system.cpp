@@ -25,7 +25,9 @@ double free_share(const RowLaw& law, double length, const Mobility& mobility) {
 /// |G_qn P_n| of an entry of row q (of an arm: a bound of it).
 double weight_of(const RowMatrix& rows, std::size_t q, std::size_t entry, double length, const Mobility& mobility) {
   const RowLaw& law = rows.laws[q];
-  const double weight = std::abs(rows.weights[entry]) + (law.turns ? rows.arm(q, entry).size : 0.0);
+  double weight = std::abs(rows.weights[entry]);
+  if (law.turns) weight += rows.arm(q, entry).size;
+  if (law.tilts) weight += rows.tilt(q, entry).norm();
   return weight * free_share(law, length, mobility);
 }
 
@@ -114,7 +116,7 @@ bool lay_diagonal(const System& system, EnforcementScratch& scratch, Counts coun
   for (std::size_t q = 0; q < rows.size(); ++q) {
     if (counts != nullptr && !counts(rows, q)) continue;
     const RowLaw& law = rows.laws[q];
-    coupled = coupled || law.turns;  // its H is a bound
+    coupled = coupled || law.turns || law.tilts;  // its H is a bound
     for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) {
       const Mobility& mobility = system.mobility[rows.point(k)];
       const double weight = scratch.share[k], sum = scratch.row_sum[rows.point(k)];
@@ -143,6 +145,13 @@ void lay_impulses(const System& system, std::span<const Vec3> impulses, double l
       continue;
     }
     const Quad impulse{impulses[q][0], impulses[q][1], impulses[q][2], 0};
+    if (rows.laws[q].tilts) {
+      const Vec3& n = rows.laws[q].normal;
+      const Quad normal{n[0], n[1], n[2], 0};
+      for (std::size_t k = rows.begin(q); k < rows.end(q); ++k)
+        grid.add(rows.weights[k] * impulse + rows.tilt(q, k).dot(impulses[q]) * normal, parts_of(k));
+      continue;
+    }
     for (std::size_t k = rows.begin(q); k < rows.end(q); ++k) grid.add(rows.weights[k] * impulse, parts_of(k));
   }
 }
@@ -188,7 +197,7 @@ void EnforcementScratch::reserve(const RowRoom& room, std::size_t nodes) {
   diagonal.reserve(rows);
   compliance.reserve(rows);
   share.reserve(room.entries);
-  matrix.reserve(rows, room.entries, room.arms);
+  matrix.reserve(rows, room.entries, room.arms, room.tilts);
   previous.reserve(rows);
   for (std::vector<Vec3>* of_rows : {&borne, &missing, &step, &direction, &step_change, &change})
     of_rows->reserve(rows);
@@ -197,12 +206,12 @@ void EnforcementScratch::reserve(const RowRoom& room, std::size_t nodes) {
   row_sum.reserve(nodes);
   row_sum_parts.reserve(nodes * row_sum_width);
   impulse_parts.reserve(nodes * impulse_width);
-  packed.reserve(rows, room.points_of_a_row, nodes);
+  packed.reserve(rows, room.points_of_a_row, room.tilts > 0, nodes);
 }
 
 void EnforcementScratch::reserve_passes(const RowRoom& room) {
   const std::size_t rows = room.rows;
-  pass_rows.reserve(rows, room.entries, room.arms);
+  pass_rows.reserve(rows, room.entries, room.arms, room.tilts);
   pass_impulses.reserve(rows);
   for (std::vector<Vec3>& impulses : start) impulses.reserve(rows);
   asked.reserve(rows);

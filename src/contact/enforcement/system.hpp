@@ -42,6 +42,7 @@ struct Slide {
 struct RowRoom {
   std::size_t rows = 0, entries = 0;  ///< entries: points of all rows
   std::size_t arms = 0;               ///< points of those that turn
+  std::size_t tilts = 0;              ///< points of those that tilt
   std::size_t points_of_a_row = most_nodes_of_a_row;
 };
 

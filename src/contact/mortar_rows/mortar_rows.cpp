@@ -85,6 +85,16 @@ void aim_at_slips(std::span<Row> rows, const MortarHistory& history, const SlipR
   });
 }
 
+void tilt_mortar_rows(std::span<Row> rows, const MortarHistory& history, const TiltScene& scene, TiltStore& store) {
+  for_each_pair(rows, history.heads, [&](std::size_t q, const MortarHead& head) {
+    if (!has_tilts(rows[q])) return;
+    const auto r = static_cast<LocalIndex>(&head - history.heads.data());
+    const std::span<const MortarTerm> terms = history.terms.row(r);
+    tilt_row(rows[q], scene, store,
+             [&](std::size_t i) { return terms[i].part == MortarPart::master ? terms[i].reach : 0.0; });
+  });
+}
+
 void keep_slips(std::span<const Row> rows, std::span<const Vec3> impulses, std::span<const Vec3> slid, double dt,
                 const Tolerances& tolerances, MortarHistory& history) {
   std::size_t next = 0;

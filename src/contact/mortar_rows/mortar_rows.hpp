@@ -11,6 +11,7 @@
 
 #include "contact/data/history.hpp"
 #include "contact/detection/detection.hpp"
+#include "contact/detection/tilts.hpp"
 #include "contact/mortar_rows/integrate.hpp"
 
 namespace brunt::contact {
@@ -45,6 +46,9 @@ struct SlipRecovery {
 
 /// Row::drift and its share of the slip. Rows and history in order of their keys.
 void aim_at_slips(std::span<Row> rows, const MortarHistory& history, const SlipRecovery& recovery, double dt);
+
+/// Row::tilts of rows with friction, see detection/tilts.hpp. Rows and history in order of their keys.
+void tilt_mortar_rows(std::span<Row> rows, const MortarHistory& history, const TiltScene& scene, TiltStore& store);
 
 /// What nodes have slipped after the step: nothing where they were not pressed. slid: see write_anchors.
 void keep_slips(std::span<const Row> rows, std::span<const Vec3> impulses, std::span<const Vec3> slid, double dt,

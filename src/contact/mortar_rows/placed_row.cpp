@@ -4,9 +4,12 @@
 #include <algorithm>
 
 #include "contact/mortar_rows/integrate.hpp"
+#include "geometry/moments_across.hpp"
 
 namespace brunt::contact {
 namespace {
+
+using geometry::MomentsAcross;
 
 /// Against the normals of the facets, by what is covered of them.
 Vec3 against_facets(const KeptRow& row, std::span<const Vec3> facet_normal) {
@@ -30,30 +33,6 @@ struct Spread {
       const Vec3 arm = place(i) - middle;
       moments += row.terms[i].reach * arm * arm.transpose();
     }
-  }
-};
-
-/// Second moments across a normal.
-struct MomentsAcross {
-  Vec3 first, second;
-  double a, b, c;  ///< along first, mixed, along second [length^2]
-
-  MomentsAcross(const Mat3& moments, const Vec3& normal)
-      : first(normal.unitOrthogonal()),
-        second(normal.cross(first)),
-        a(first.dot(moments * first)),
-        b(first.dot(moments * second)),
-        c(second.dot(moments * second)) {}
-  /// The nodes do not lie on a line.
-  [[nodiscard]] bool are_plane() const {
-    constexpr double flat = 1e-6;
-    const double most = std::max(a, c);
-    return a * c - b * b > flat * most * most;
-  }
-  /// The vector across the normal that the moments map to that part of `image`.
-  [[nodiscard]] Vec3 solve(const Vec3& image) const {
-    const double x = first.dot(image), y = second.dot(image), det = a * c - b * b;
-    return (c * x - b * y) / det * first + (a * y - b * x) / det * second;
   }
 };
 

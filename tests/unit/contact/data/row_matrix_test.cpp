@@ -17,8 +17,8 @@ RowMatrix three_rows() {
   rows.close_row({.normal = Vec3::UnitZ(), .required = 1}, {.gap = -0.1});
   rows.add(3, 1);
   rows.close_row({.normal = Vec3::UnitX(), .required = 2}, {.pass = Pass::second});
-  rows.add(5, 1, {});
-  rows.add(6, -1, {.turn = 2 * Mat3::Identity(), .size = 2});
+  rows.add(5, 1, Arm{});
+  rows.add(6, -1, Arm{.turn = 2 * Mat3::Identity(), .size = 2});
   rows.close_row({.normal = Vec3::UnitY(), .across = Across::holds, .turns = true}, {});
   return rows;
 }

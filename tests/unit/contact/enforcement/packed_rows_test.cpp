@@ -38,6 +38,7 @@ struct Scene {
                .cone = random.whole(0, 2) == 0 ? Cone::free : Cone::compression,
                .across = static_cast<Across>(random.whole(0, 2)),
                .turns = random.whole(0, 4) == 0};
+    law.tilts = !law.turns && random.whole(0, 2) == 0;
     if (law.across == Across::rubs) law.friction = random.number(0, 1);
     if (law.across == Across::rubs && random.whole(0, 1) == 1) law.lagging = random.number(0, 0.2);
     if (random.whole(0, 3) == 0) law.softness = 0.05;
@@ -45,7 +46,9 @@ struct Scene {
     for (int k = 0; k < entries; ++k) {
       const auto point = static_cast<LocalIndex>(random.whole(0, 29));
       if (law.turns)
-        rows.add(point, random.number(-1, 1), {0.3 * Mat3(random.vector() * random.vector().transpose()), 0.6});
+        rows.add(point, random.number(-1, 1), Arm{0.3 * Mat3(random.vector() * random.vector().transpose()), 0.6});
+      else if (law.tilts)
+        rows.add(point, random.number(-1, 1), Vec3(0.3 * random.vector()));
       else
         rows.add(point, random.number(-1, 1));
     }
