@@ -17,6 +17,7 @@
 #include "material/law.hpp"
 #include "mesh/division.hpp"
 #include "mesh/round_form.hpp"
+#include "mesh/shell_bodies.hpp"
 #include "model/erosion.hpp"
 #include "model/implicit_solver.hpp"
 #include "model/loads.hpp"
@@ -49,6 +50,8 @@ struct BoxMesh {
   std::string part;
   Vec3 size;  ///< from the corner `at`
   mesh::Divisions<3> elements;
+  bool shell = false;     ///< its sides
+  mesh::BoxSides open{};  ///< sides that a shell does not have
 };
 struct CylinderMesh {  ///< solid, butterfly section, axis z, foot centre at the origin
   std::string part;
@@ -59,15 +62,17 @@ struct CylinderMesh {  ///< solid, butterfly section, axis z, foot centre at the
 struct SphereMesh {  ///< solid, centre at the origin
   std::string part;
   double radius = 0;
-  int elements = 0;   ///< across the radius
-  double finer = 1;   ///< elements at the lowest point are smaller by this factor
-  mesh::Half half{};  ///< of x, y, z: 1 keeps what is >= 0, -1 what is <= 0, 0 both
+  int elements = 0;    ///< across the radius
+  double finer = 1;    ///< elements at the lowest point are smaller by this factor
+  mesh::Half half{};   ///< of x, y, z: 1 keeps what is >= 0, -1 what is <= 0, 0 both
+  bool shell = false;  ///< its surface
 };
 struct TubeMesh {  ///< axis z, foot centre at the origin
   std::string part;
   double inner_radius = 0, outer_radius = 0, length = 0;
   mesh::Divisions<3> elements;  ///< through the wall, around the whole or the sector, along
   mesh::RoundForm half;         ///< the half or the sector that is kept, and the nose
+  bool shell = false;           ///< the surface in the middle of the wall
 };
 struct TorusMesh {  ///< hollow, axis z, centre at the origin
   std::string part;
@@ -79,7 +84,8 @@ struct PlateMesh {  ///< in the x-y plane, centre of the lower face at the origi
   std::string part;
   std::array<double, 2> size;
   double thickness = 0;
-  mesh::Divisions<3> elements;
+  mesh::Divisions<3> elements;  ///< of a shell the first two
+  bool shell = false;           ///< in the plane z = 0
 };
 struct MeshEntry {
   std::variant<MeshFile, BoxMesh, CylinderMesh, SphereMesh, TubeMesh, TorusMesh, PlateMesh> body;
@@ -102,13 +108,19 @@ struct RigidGiven {
 };
 
 struct Part {
-  std::string name, block, material;  ///< block: name or number as text
-  ElementKind element = ElementKind::hex8;
+  std::string name, block, material;   ///< block: name or number as text
+  std::optional<ElementKind> element;  ///< absent: by the shape of the block's elements, see `kind_of`
+  element::ShellSection section;       ///< of shells; thickness 0: none
   Hourglass hourglass;
   BulkViscosity bulk;
   std::optional<RigidGiven> rigid;
   std::optional<model::Erosion> erosion;
 };
+
+/// Whether the scene says that a part consists of shells: by its element, or by a thickness.
+[[nodiscard]] inline bool is_shell(const Part& part) {
+  return part.element ? element::is_shell(*part.element) : part.section.thickness > 0;
+}
 
 /// A named set that the scene defines from other selections.
 struct SetEntry {
@@ -128,7 +140,7 @@ struct InitialMotion {
 struct Fixed {
   std::string where;
   std::array<bool, 3> dofs{};
-  std::array<bool, 3> turns{};  ///< about x, y, z: of a rigid part
+  std::array<bool, 3> turns{};  ///< about x, y, z: of a rigid part, or of nodes of shells
 };
 struct Symmetry {
   Vec3 point = Vec3::Zero(),
@@ -136,7 +148,7 @@ struct Symmetry {
 };
 struct Prescribed {
   std::string where;
-  int dof = 0;  ///< x, y, z; 3 and more: rotation about x, y, z, of a rigid part [rad]
+  int dof = 0;  ///< x, y, z; 3 and more: rotation about x, y, z, of a rigid part or of nodes of shells [rad]
   using Gives = model::Drive::Gives;
   Gives gives = Gives::velocity;
   std::string curve;  ///< of the prescribed quantity over time, multiplied by `scale`; empty: constant 1

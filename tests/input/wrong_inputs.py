@@ -6,6 +6,7 @@ import tiny_meshes as mesh
 import wrong_depths
 import wrong_joints
 import wrong_scripts
+import wrong_shells
 
 GOOD = """\
 title: one cube against a wall
@@ -375,10 +376,9 @@ MESHES = [
     with_mesh("twins, one of them turned", mesh.gmsh(elements=[mesh.RIGHT, [2, 3, 4, 1, 6, 7, 8, 5]]), "element 2", "nodes of element 1"),
     with_mesh("twins in Exodus", mesh.exodus(elements=[mesh.RIGHT, mesh.RIGHT]), "element 2", "nodes of element 1", file="bar.exo"),
     with_mesh("twins of two blocks", inp(("C3D8", "bar", ["1, " + CUBE_8]), ("C3D8R", "two", ["2, " + CUBE_8])), "element 2 (block two)", "element 1 (block bar)", file="bar.inp"),
-    Wrong("twins of two files", ["scene.yaml:3: mesh", "block bar and block b_bar", "coincide", "expected"], lines=1,
-          change=("{file: bar.msh}", "[{file: bar.msh}, {file: bar.msh, prefix: b_}]")),
-    with_mesh("a shell in the mesh", inp(("C3D8", "bar", ["1, " + CUBE_8]), ("S4R", "skin", ["2, 1, 2, 3, 4"])), "bar.inp:12", "S4R", "ignore: [skin]", file="bar.inp"),
-    with_mesh("a surface that is no face", msh.replace(b"$Elements\n1\n", b"$Elements\n2\n7 3 2 9 1 1 2 7 8\n"), "bar.msh:21", "surface element 7: not a face", "ignore: [9]"),
+    Wrong("twins of two files", ["scene.yaml:3: mesh", "block bar and block b_bar", "coincide"], ("{file: bar.msh}", "[{file: bar.msh}, {file: bar.msh, prefix: b_}]"), lines=1),
+    with_mesh("a shell in the mesh", inp(("C3D8", "bar", ["1, " + CUBE_8]), ("S4R", "skin", ["2, 1, 2, 3, 4"])), "missing part for block 2 (skin)", "ignore: [skin]", file="bar.inp"),
+    with_mesh("a surface that is no face", msh.replace(b"$Elements\n1\n", b"$Elements\n2\n7 3 2 9 1 1 2 7 8\n"), "missing part for block 9", "ignore: [9]"),
     Wrong("a block to ignore that is not there", ["scene.yaml:3", "unknown block 'skin'", "expected 1 (bar)"], change=("{file: bar.msh}", "{file: bar.msh, ignore: [skin]}"), lines=1),
     Wrong("a part of an ignored block", ["parts.bar.block", "ignore of the mesh excludes it"], change=("{file: bar.msh}", "{file: bar.inp, ignore: [bar]}"),
           files={"bar.inp": inp(("C3D8", "bar", ["1, " + CUBE_8]), ("C3D4", "tip", ["2, 1, 2, 4, 5"]))}),
@@ -397,4 +397,4 @@ STUDIES = [
                              ("aliases of aliases", BOMB, ["line 6", "repeat"]), ("many brackets", "runs: " + "[" * 5000, ["line 1", "64 nested levels"]))
 ]
 SCRIPTS += STUDIES
-ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES + wrong_depths.cases(Wrong) + wrong_joints.cases(Wrong)
+ALL = FILES + METALS + SCENES + OPTIONS + YAML_LIMITS + MESHES + wrong_depths.cases(Wrong) + wrong_joints.cases(Wrong) + wrong_shells.cases(Wrong)

@@ -25,6 +25,7 @@
 #include "partition/distribute.hpp"
 #include "partition/dual_graph.hpp"
 #include "partition/split.hpp"
+#include "rotation_rules.hpp"
 #include "scene/build/build.hpp"
 #include "scene/build/select.hpp"
 #include "scene/text/units.hpp"
@@ -137,8 +138,10 @@ std::unique_ptr<Prepared> prepare(const comm::Communicator& ranks, const std::st
   for (Rank r = 0; r < ranks.size(); ++r) share_faults(ranks, faults, r);
   prepared->links = time::link_ranks(ranks, prepared->model);
   const std::vector<Vec3> velocities = scene::initial_velocities(prepared->input, prepared->model);
-  time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links, velocities);
+  time::initialise(prepared->model, prepared->state, prepared->scratch, prepared->links, velocities,
+                   scene::initial_rates(prepared->input, prepared->model));
   check_joints(*prepared);
+  check_rotation_probes(*prepared);
   for (std::string& line : driven_starts(*prepared, velocities)) prepared->warnings.push_back(std::move(line));
   if (bounded_by_mesh(prepared->input)) prepared->assembled.baseline = force::sized_baseline(prepared->model);
   make_implicit(*prepared);

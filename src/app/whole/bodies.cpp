@@ -15,9 +15,45 @@
 #include "mesh/duplicate_elements.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/resolution.hpp"
+#include "mesh/shell_bodies.hpp"
 
 namespace brunt::app {
 namespace {
+
+template <class Body>
+constexpr bool may_be_shell = requires(const Body& body) {
+  body.shell;
+};
+
+mesh::Mesh solid_of(const scene::BoxMesh& body) {
+  return mesh::box(body.part, body.size, body.elements);
+}
+mesh::Mesh solid_of(const scene::SphereMesh& body) {
+  return mesh::sphere(body.part, body.radius, body.elements, {body.finer, body.half});
+}
+mesh::Mesh solid_of(const scene::TubeMesh& body) {
+  return mesh::tube(body.part, body.inner_radius, body.outer_radius, body.length, body.elements, body.half);
+}
+mesh::Mesh solid_of(const scene::PlateMesh& body) {
+  return mesh::plate(body.part, body.size, body.thickness, body.elements);
+}
+
+mesh::Mesh shells_of(const scene::BoxMesh& body) {
+  return mesh::shell_box(body.part, body.size, body.elements, body.open);
+}
+mesh::Mesh shells_of(const scene::SphereMesh& body) {
+  return mesh::shell_sphere(body.part, body.radius, body.elements, {body.finer, body.half});
+}
+mesh::Mesh shells_of(const scene::TubeMesh& body) {
+  mesh::Divisions<2> elements;
+  for (const std::size_t i : {0, 1}) elements[i] = body.elements[i + 1];
+  return mesh::shell_tube(body.part, 0.5 * (body.inner_radius + body.outer_radius), body.length, elements, body.half);
+}
+mesh::Mesh shells_of(const scene::PlateMesh& body) {
+  mesh::Divisions<2> elements;
+  for (const std::size_t i : {0, 1}) elements[i] = body.elements[i];
+  return mesh::shell_plate(body.part, body.size, elements);
+}
 
 mesh::Mesh generate(const scene::MeshEntry& entry) {
   return std::visit(
@@ -25,20 +61,20 @@ mesh::Mesh generate(const scene::MeshEntry& entry) {
         using Body = std::decay_t<decltype(body)>;
         if constexpr (std::is_same_v<Body, scene::MeshFile>)
           return io::read_mesh(body.file, body.ignore);
-        else if constexpr (std::is_same_v<Body, scene::BoxMesh>)
-          return mesh::box(body.part, body.size, body.elements);
+        else if constexpr (may_be_shell<Body>)
+          return body.shell ? shells_of(body) : solid_of(body);
         else if constexpr (std::is_same_v<Body, scene::CylinderMesh>)
           return mesh::cylinder(body.part, body.radius, body.length, body.elements, body.half);
-        else if constexpr (std::is_same_v<Body, scene::SphereMesh>)
-          return mesh::sphere(body.part, body.radius, body.elements, {body.finer, body.half});
-        else if constexpr (std::is_same_v<Body, scene::TubeMesh>)
-          return mesh::tube(body.part, body.inner_radius, body.outer_radius, body.length, body.elements, body.half);
-        else if constexpr (std::is_same_v<Body, scene::TorusMesh>)
-          return mesh::torus(body.part, body.radius, body.tube[0], body.tube[1], body.elements);
         else
-          return mesh::plate(body.part, body.size, body.thickness, body.elements);
+          return mesh::torus(body.part, body.radius, body.tube[0], body.tube[1], body.elements);
       },
       entry.body);
+}
+
+/// Generated quadrilaterals of a part of triangles are split.
+void split_for_part(const scene::Input& input, mesh::Mesh& piece) {
+  const auto part = std::ranges::find(input.parts, piece.blocks.front().name, &scene::Part::block);
+  if (part != input.parts.end() && part->element == element::ElementKind::shell3) mesh::split_into_triangles(piece);
 }
 
 /// Puts the body in its place; what is wrong with it there.
@@ -66,6 +102,7 @@ mesh::Mesh assemble(const scene::Input& input, std::vector<std::string>& warning
     const std::string where = file ? input.at(entry.key + ".file") + ": " + file->file : input.at(entry.key);
     try {
       mesh::Mesh piece = generate(entry);
+      if (file == nullptr) split_for_part(input, piece);
       const mesh::CheckReport report = mesh::check(piece, file ? mesh::MeshSource::file : mesh::MeshSource::generated);
       for (const std::string& fault : report.faults) faults.push_back(where + ": " + fault);
       for (const std::string& warning : report.warnings) warnings.push_back(where + ": " + warning);

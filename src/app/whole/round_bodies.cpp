@@ -101,7 +101,7 @@ void compare(const scene::Input& input, const scene::MeshEntry& entry, const Bod
 RoundBodies round_bodies(const scene::Input& input) {
   RoundBodies result;
   for (const scene::MeshEntry& entry : input.mesh) {
-    if (const auto* body = std::get_if<scene::SphereMesh>(&entry.body))
+    if (const auto* body = std::get_if<scene::SphereMesh>(&entry.body); body != nullptr && !body->shell)
       compare(input, entry, *body, body->radius,
               mesh::sphere(body->part, body->radius, body->elements, {body->finer, body->half}),
               mesh::exact_sphere(body->radius, body->half), result);
@@ -109,7 +109,7 @@ RoundBodies round_bodies(const scene::Input& input) {
       compare(input, entry, *body, body->radius,
               mesh::cylinder(body->part, body->radius, body->length, body->elements, body->half),
               mesh::exact_tube(0, body->radius, body->length, body->half), result);
-    if (const auto* body = std::get_if<scene::TubeMesh>(&entry.body))
+    if (const auto* body = std::get_if<scene::TubeMesh>(&entry.body); body != nullptr && !body->shell)
       compare(input, entry, *body, body->outer_radius,
               mesh::tube(body->part, body->inner_radius, body->outer_radius, body->length, body->elements, body->half),
               mesh::exact_tube(body->inner_radius, body->outer_radius, body->length, body->half), result);

@@ -8,8 +8,8 @@
 
 namespace brunt::app {
 
-/// Time of an element relative to the one-point hexahedron.
-double cost_of(element::ElementKind kind, bool rigid);
+/// Time of an element relative to the one-point hexahedron. points: through the thickness of a shell.
+double cost_of(element::ElementKind kind, int points, bool rigid);
 
 /// Costs of the elements and their faces that will bring contact its work (none without contact between parts: rows
 /// of walls cost little). whole: with the selections of the scene.

@@ -42,12 +42,12 @@ model::ElementBlock build_block(const Part& part, const Input& input, const mesh
   model::ElementBlock block;
   block.part = part.name;
   block.material = part.material;
-  block.kind = part.element;
+  block.kind = kind_of(part, source.shape);
+  block.section = part.section;
   block.law = input.materials.at(part.material);
-  if (material::is_rigid(block.law))
-    block.kind = source.shape == mesh::Shape::tet4 ? ElementKind::tet4 : ElementKind::hex8;
+  if (material::is_rigid(block.law) && source.shape == mesh::Shape::tet4) block.kind = ElementKind::tet4;
   block.hourglass = part.hourglass;
-  if (block.kind != ElementKind::hex8) block.hourglass = {HourglassKind::none, 0};
+  if (block.kind != ElementKind::hex8 && block.kind != ElementKind::shell4) block.hourglass = {HourglassKind::none, 0};
   block.bulk = part.bulk;
   block.erosion = part.erosion;
   block.shape = source.shape;
@@ -218,6 +218,15 @@ std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> c
 
 std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model) {
   return initial_velocities(input, model.mesh.coordinates, model.mesh.origin, model.mesh.node_sets);
+}
+
+std::vector<Vec3> initial_rates(const Input& input, const model::Model& model) {
+  if (!model.turns()) return {};
+  std::vector<Vec3> rate(static_cast<std::size_t>(model.nodes()), Vec3::Zero());
+  for (std::size_t k = 0; k < input.initial.size(); ++k)
+    for (const LocalIndex node : selected(model.mesh, "initial", k))
+      nth(rate, node) = input.initial[k].spin_rate * input.initial[k].spin_axis.normalized();
+  return rate;
 }
 
 }  // namespace brunt::scene

@@ -45,4 +45,7 @@ std::vector<Vec3> initial_velocities(const Input& input, std::span<const Vec3> c
 /// The same for the local nodes of a rank.
 std::vector<Vec3> initial_velocities(const Input& input, const model::Model& model);
 
+/// Of rotation, of nodes of shells; by node [1/time]; empty without shells.
+std::vector<Vec3> initial_rates(const Input& input, const model::Model& model);
+
 }  // namespace brunt::scene

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 
@@ -53,32 +54,56 @@ void add_node(LocalIndex node, const std::vector<Held>& held, model::Supports& s
   supports.drive.push_back(drive);
 }
 
-}  // namespace
+enum class Motion { shift, turn };
 
-void build_constraints(const Input& input, model::Model& model) {
+/// What a plane of symmetry holds: motion along its normal, rotation about the axes in it.
+void hold_symmetric(const Input& input, const model::Model& model, HeldNodes& held, std::size_t entry, Motion motion,
+                    std::vector<std::string>& faults) {
+  const Vec3 normal = input.symmetry[entry].normal.normalized();
+  const std::string source = fmt::format("symmetry.{}", entry);
+  const std::vector<LocalIndex>& nodes = model.mesh.node_sets.at(selection_name("symmetry", entry));
+  if (motion == Motion::shift) return hold(input, model, held, nodes, {normal, -1, source}, faults);
+  const Vec3 across = normal.unitOrthogonal();
+  hold(input, model, held, nodes, {across, -1, source}, faults);
+  hold(input, model, held, nodes, {normal.cross(across), -1, source}, faults);
+}
+
+/// Supports of the displacements of nodes, or of their rotations.
+void hold_nodes(const Input& input, const model::Model& model, Motion motion, model::Supports& supports,
+                std::vector<std::string>& faults) {
   HeldNodes held;
-  std::vector<std::string> faults;
   const auto nodes = [&](const char* kind, std::size_t k) -> const std::vector<LocalIndex>& {
     return model.mesh.node_sets.at(selection_name(kind, k));
   };
+  const auto of_entry = [&](const Fixed& entry) { return motion == Motion::shift ? entry.dofs : entry.turns; };
   for (std::size_t k = 0; k < input.fixed.size(); ++k)
     for (int c = 0; c < 3; ++c)
-      if (!names_rigid_part(input, input.fixed[k].where) && nth(input.fixed[k].dofs, c))
+      if (!names_rigid_part(input, input.fixed[k].where) && nth(of_entry(input.fixed[k]), c))
         hold(input, model, held, nodes("fixed", k), {Vec3::Unit(c), -1, fmt::format("fixed.{}", k)}, faults);
-  for (std::size_t k = 0; k < input.symmetry.size(); ++k)
-    hold(input, model, held, nodes("symmetry", k),
-         {input.symmetry[k].normal.normalized(), -1, fmt::format("symmetry.{}", k)}, faults);
+  for (std::size_t k = 0; k < input.symmetry.size(); ++k) hold_symmetric(input, model, held, k, motion, faults);
+  for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
+    const Prescribed& entry = input.prescribed[k];
+    const int c = entry.dof - (motion == Motion::shift ? 0 : 3);
+    if (names_rigid_part(input, entry.where) || c < 0 || c > 2) continue;
+    hold(input, model, held, nodes("prescribed", k),
+         {Vec3::Unit(c), static_cast<std::int32_t>(k), fmt::format("prescribed.{}", k)}, faults);
+  }
+  for (const LocalIndex node : rigid_nodes(model.mesh)) held.erase(node);  // in planes of symmetry
+  for (const auto& [node, directions] : held) add_node(node, directions, supports);
+}
+
+}  // namespace
+
+void build_constraints(const Input& input, model::Model& model) {
+  std::vector<std::string> faults;
   for (std::size_t k = 0; k < input.prescribed.size(); ++k) {
     const Prescribed& entry = input.prescribed[k];
     model.supports.drives.push_back(
         {entry.curve.empty() ? model::Curve{} : input.curves.at(entry.curve), entry.scale, entry.gives});
-    if (names_rigid_part(input, entry.where)) continue;
-    hold(input, model, held, nodes("prescribed", k),
-         {Vec3::Unit(entry.dof), static_cast<std::int32_t>(k), fmt::format("prescribed.{}", k)}, faults);
   }
+  hold_nodes(input, model, Motion::shift, model.supports, faults);
+  if (model.turns()) hold_nodes(input, model, Motion::turn, model.rotation_supports, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
-  for (const LocalIndex node : rigid_nodes(model.mesh)) held.erase(node);  // in planes of symmetry
-  for (const auto& [node, directions] : held) add_node(node, directions, model.supports);
 }
 
 }  // namespace brunt::scene

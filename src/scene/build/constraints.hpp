@@ -6,7 +6,8 @@
 
 namespace brunt::scene {
 
-/// Fills Model::supports.nodes and Model::supports.drives. Throws InputError for a node in two incompatible entries.
+/// Fills Model::supports and Model::rotation_supports; drives of both are in the former. Throws InputError for a node
+/// in two incompatible entries.
 void build_constraints(const Input& input, model::Model& model);
 
 }  // namespace brunt::scene

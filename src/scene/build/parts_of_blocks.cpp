@@ -16,7 +16,46 @@ namespace {
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 const char* fitting_elements(mesh::Shape shape) {
-  return shape == mesh::Shape::hex8 ? "hex8, hex8_full or hex8_bbar" : "tet4";
+  switch (shape) {
+    case mesh::Shape::hex8:
+      return "hex8, hex8_full or hex8_bbar";
+    case mesh::Shape::tet4:
+      return "tet4";
+    case mesh::Shape::quad4:
+      return "shell4 or shell4_full";
+    case mesh::Shape::tri3:
+      return "shell3";
+  }
+  return "";
+}
+
+mesh::Shape shape_of(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::tet4:
+      return mesh::Shape::tet4;
+    case ElementKind::shell4:
+    case ElementKind::shell4_full:
+      return mesh::Shape::quad4;
+    case ElementKind::shell3:
+      return mesh::Shape::tri3;
+    default:
+      return mesh::Shape::hex8;
+  }
+}
+
+/// Whether the element of a part, and its thickness, fit the shape of the block; empty if they do.
+std::string fault_of_shape(const Input& input, const Part& part, mesh::Shape shape) {
+  const std::string key = "parts." + part.name;
+  const ElementKind kind = kind_of(part, shape);
+  if (!is_rigid(input, part) && shape_of(kind) != shape)
+    return fmt::format("{}: invalid element {} for the shape of the block's elements; expected {}",
+                       input.at(key + ".element"), element::name_of(kind), fitting_elements(shape));
+  if (cells::is_surface(shape) && part.section.thickness == 0)
+    return fmt::format("{}: missing thickness: the block has shells; expected thickness: a length > 0", input.at(key));
+  if (!cells::is_surface(shape) && part.section.thickness > 0)
+    return fmt::format("{}: invalid thickness: the elements of the block are solid; expected no thickness",
+                       input.at(key + ".thickness"));
+  return "";
 }
 
 /// Why a mesh file's block of this name or number is excluded; empty if there is none.
@@ -79,6 +118,12 @@ std::string ambiguous(const mesh::Mesh& mesh, const std::vector<std::size_t>& bl
 
 }  // namespace
 
+ElementKind kind_of(const Part& part, mesh::Shape shape) {
+  if (part.element) return *part.element;
+  if (shape == mesh::Shape::quad4) return ElementKind::shell4;
+  return shape == mesh::Shape::tri3 ? ElementKind::shell3 : ElementKind::hex8;
+}
+
 std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& mesh) {
   std::vector<std::string> faults;
   std::vector<std::size_t> part_of(mesh.blocks.size(), none);
@@ -108,10 +153,8 @@ std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& m
           "{}: invalid block {}: it already belongs to part '{}'; expected a block of its own for each part",
           input.at(key + ".block"), excerpt(part.block), excerpt(input.parts[part_of[b]].name)));
     part_of[b] = p;
-    if (!is_rigid(input, part) && (part.element == ElementKind::tet4) != (mesh.blocks[b].shape == mesh::Shape::tet4))
-      faults.push_back(fmt::format("{}: invalid element {} for the shape of the block's elements; expected {}",
-                                   input.at(key + ".element"), element::name_of(part.element),
-                                   fitting_elements(mesh.blocks[b].shape)));
+    if (std::string fault = fault_of_shape(input, part, mesh.blocks[b].shape); !fault.empty())
+      faults.push_back(std::move(fault));
   }
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     if (part_of[b] == none && doubtful[b] == 0)

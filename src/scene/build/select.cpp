@@ -119,6 +119,21 @@ class Selector {
              extent());
   }
 
+  /// Rotations and moments need a node of shells. Other nodes of the selection are not affected.
+  void require_shells(const std::string& reserved, const std::string& where, const std::string& key) {
+    const auto set = whole_.mesh.node_sets.find(reserved);
+    if (names_rigid_part(input_, where) || set == whole_.mesh.node_sets.end() || set->second.empty()) return;
+    if (turning_.empty()) {
+      turning_.resize(whole_.mesh.coordinates.size(), 0);
+      for (const mesh::Block& block : whole_.mesh.blocks)
+        if (cells::is_surface(block.shape))
+          for (const LocalIndex node : block.nodes) nth(turning_, node) = 1;
+    }
+    if (std::ranges::any_of(set->second, [&](LocalIndex node) { return nth(turning_, node) != 0; })) return;
+    report(key, "invalid rotation or moment of '{}': none of its nodes belongs to a shell; expected nodes of shells",
+           excerpt(where));
+  }
+
   void add_interface() { make_interface(whole_); }
 
   void add_bodies() {
@@ -290,6 +305,7 @@ class Selector {
   mesh::CanonicalMesh& whole_;
   std::vector<std::string>& faults_;
   NamedNodes named_;
+  std::vector<char> turning_;        ///< of each node: whether it belongs to a shell; empty until it is asked for
   std::set<std::string> undefined_;  ///< sets of the scene that refer to unknown sets of the mesh
 };
 
@@ -322,6 +338,14 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
   each(input.initial, nodes("initial"));
   each(input.fixed, nodes("fixed"));
   each(input.prescribed, nodes("prescribed"));
+  each(input.fixed, [&](const Fixed& entry, std::size_t k) {
+    if (std::ranges::find(entry.turns, true) != entry.turns.end())
+      selector.require_shells(selection_name("fixed", k), entry.where, fmt::format("fixed.{}.dofs", k));
+  });
+  each(input.prescribed, [&](const Prescribed& entry, std::size_t k) {
+    if (entry.dof >= 3)
+      selector.require_shells(selection_name("prescribed", k), entry.where, fmt::format("prescribed.{}.dof", k));
+  });
   each(input.remove, nodes("remove"));
   for (std::string& fault : select_removed(input, whole)) faults.push_back(std::move(fault));
   each(input.symmetry, [&](const Symmetry& entry, std::size_t k) {
@@ -342,6 +366,8 @@ void select(const Input& input, mesh::CanonicalMesh& whole) {
     const std::string reserved = selection_name("forces", k), key = selecting_key(input, "forces", k);
     if (entry.kind == DeadLoad::Kind::total) return selector.add_faces(reserved, entry.where, key);
     selector.add_nodes(reserved, entry.where, key);
+    if (entry.moment != Vec3::Zero())
+      selector.require_shells(reserved, entry.where, fmt::format("forces.{}.moment", k));
   });
   each(input.probes, [&](const Probe& entry, std::size_t k) { selector.add_probe(entry, k); });
   if (std::ranges::any_of(input.probes, [](const Probe& probe) { return probe.field == "energy"; }))

@@ -20,8 +20,12 @@ constexpr const char* surface_set = "@surface";
 /// Nodes shared by elements of several parts; present if a probe records the energy of a part.
 constexpr const char* interface_set = "@interface";
 
+/// The element of a part whose block has elements of this shape: the given one, or hex8, shell4 or shell3.
+element::ElementKind kind_of(const Part& part, mesh::Shape shape);
+
 /// Position in `Input::parts` of the part of each block of the mesh. Throws InputError for a part without a block, a
-/// block without a part, two parts of one block, or an element that does not fit the shape of the block.
+/// block without a part, two parts of one block, an element that does not fit the shape of the block, or a part of
+/// shells without a thickness.
 std::vector<std::size_t> parts_of_blocks(const Input& input, const mesh::Mesh& mesh);
 
 /// Adds the reserved sets to the mesh. Throws InputError with all names that are unknown or select nothing.

@@ -18,6 +18,7 @@ std::string phrase(double, const Range& range) {
 }
 
 std::string phrase(GlobalIndex, Count count) {
+  if (count.high < Count{}.high) return fmt::format("integer from {} to {}", count.low, count.high);
   return fmt::format("integer >= {}", count.low);
 }
 

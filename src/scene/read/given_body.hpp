@@ -42,6 +42,8 @@ struct GivenBody {
   mesh::Half half{};
   mesh::Sector sector{};
   std::optional<GivenNose> nose{};
+  bool shell = false;
+  mesh::BoxSides open{};
   Placement placement{};
 
   decltype(MeshEntry::body) body{};  ///< the result

@@ -32,7 +32,7 @@ Input read_scene(const std::string& text, const std::string& file_name, std::spa
   scene_keys().read({&tree, tree.place, "", &findings}, input);
   findings.faults.throw_if_any();
   input.warnings = std::move(findings.warnings);
-  for (const auto& rules : {faults_of_rigid_parts, faults_of_joints, faults_of_solver})
+  for (const auto& rules : {faults_of_shells, faults_of_rigid_parts, faults_of_joints, faults_of_solver})
     if (std::vector<std::string> faults = rules(input); !faults.empty()) throw InputError(std::move(faults));
   return input;
 }

@@ -58,19 +58,36 @@ void read_sector(const Key& key, GivenBody& body) {
   body.sector = {from, to};
 }
 
+const Choices<int> sides_of_box{{{"xmin", 0}, {"xmax", 1}, {"ymin", 2}, {"ymax", 3}, {"zmin", 4}, {"zmax", 5}}, {}};
+
+/// Sides that a box of shells does not have.
+void read_open(const Key& key, GivenBody& body) {
+  if (!read(key, body.open, sides_of_box)) return;
+  if (!body.shell) return fault(key, "invalid without shell: true; expected no open sides of a solid box");
+  if (std::ranges::find(body.open, false) == body.open.end())
+    fault(key, "invalid open: all six sides; expected at most five");
+}
+
 void read_radial(const Key& key, GivenBody& body) {
   read(key, body.elements[0].cells, at_least_one);
 }
 
 void judge_box(const Key& map, GivenBody& body) {
   const auto& [x, y, z] = body.size;
-  body.body = BoxMesh{body.part, Vec3(x, y, z), body.elements};
+  body.body = BoxMesh{body.part, Vec3(x, y, z), body.elements, body.shell, body.open};
   const double nx = body.elements[0], ny = body.elements[1], nz = body.elements[2];
+  if (body.shell) return judge_countable(map, 0, 2 * (nx * ny + ny * nz + nz * nx));
   judge_countable(map, (nx + 1) * (ny + 1) * (nz + 1), nx * ny * nz);
 }
 
+/// The thickness of a solid plate is that of its mesh, the thickness of a shell that of its part.
 void judge_plate(const Key& map, GivenBody& body) {
-  body.body = PlateMesh{body.part, body.plate_size, body.thickness, body.elements};
+  if (body.shell && has(map, "thickness"))
+    fault(at(map, "thickness"),
+          fmt::format("invalid with shell: true: the part has the thickness; expected parts.{}.thickness", body.part));
+  if (!body.shell) demand(map, "thickness", positive.words);
+  body.body = PlateMesh{body.part, body.plate_size, body.thickness, body.elements, body.shell};
+  if (body.shell) body.elements[2] = 1;
   const double nx = body.elements[0], ny = body.elements[1], nz = body.elements[2];
   judge_countable(map, (nx + 1) * (ny + 1) * (nz + 1), nx * ny * nz);
 }
@@ -90,7 +107,7 @@ void judge_sphere(const Key& map, GivenBody& body) {
           "invalid side z with finer: this half keeps the pole that is not refined; expected -z, or no half along z");
   const double across = body.elements[0];
   judge_countable(map, 8 * (across + 1) * (across + 1) * (across + 1), 8 * across * across * across);
-  body.body = SphereMesh{body.part, body.radius, body.elements[0], body.finer, body.half};
+  body.body = SphereMesh{body.part, body.radius, body.elements[0], body.finer, body.half, body.shell};
 }
 
 void judge_around(const Key& map, const GivenBody& body) {
@@ -134,10 +151,18 @@ void judge_tube(const Key& map, GivenBody& body) {
   if (outer > 0 && outer <= inner)
     fault(at(map, "outer_radius"),
           fmt::format("out of range: {} is not larger than inner_radius {}; expected a larger number", outer, inner));
-  TubeMesh tube{body.part, inner, body.outer_radius, body.length, body.elements, body.half};
+  if (body.shell && has(map, "nose"))
+    fault(at(map, "nose"), "invalid with shell: true; expected a tube without a nose");
+  if (body.shell && body.elements[0].cells != 1)
+    fault(at(map, "elements"),
+          fmt::format("invalid with shell: true: {} elements through the wall; expected [1, around, along]",
+                      body.elements[0].cells));
+  if (body.shell && body.inner_radius && inner == 0 && has(map, "sector"))
+    fault(at(map, "inner_radius"), fmt::format("out of range: 0 with shell: true; expected {}", positive.words));
+  TubeMesh tube{body.part, inner, body.outer_radius, body.length, body.elements, body.half, body.shell};
   tube.half.sector = body.sector;
   judge_around(map, body);
-  tube.half.nose = nose_of(map, body, outer, inner, body.elements[0]);
+  if (!body.shell) tube.half.nose = nose_of(map, body, outer, inner, body.elements[0]);
   const double through = body.elements[0], around = body.elements[1], along = body.elements[2];
   judge_countable(map, (through + 1) * around * (along + 1), through * around * along);
   body.body = tube;
@@ -193,11 +218,17 @@ const Table<GivenBody> body_keys{
         std::vector<Row<GivenBody>>{
             {"part", value(&GivenBody::part, Text{"name", "a name for the part"}), "-",
              "Name of the body; it needs an entry in `parts`.", required},
+            {"shell", of("box", "plate", "sphere", "tube"), value(&GivenBody::shell), "-",
+             "Whether the body consists of [shells](#shells): the plate in z = 0, the sides of the box, the surface of "
+             "the sphere, the middle of the tube's wall."},
+            {"open", of("box"), special("list of " + phrase(0, sides_of_box), read_open), "-",
+             "With `shell`: sides that the box does not have."},
             {"size", of("box"), value(&GivenBody::size, Each{positive, "three lengths > 0 [x, y, z]"}), "length",
              "Edges along x, y and z.", required},
             {"size", of("plate"), value(&GivenBody::plate_size, Each{positive, "two lengths > 0 [x, y]"}), "length",
              "Edges along x and y.", required},
-            {"thickness", of("plate"), value(&GivenBody::thickness, positive), "length", "Extent along z.", required},
+            {"thickness", of("plate"), value(&GivenBody::thickness, positive), "length",
+             "Extent along z; of shells it belongs to the part.", "required without `shell`"},
             {"radius", of("cylinder", "sphere", "torus"), value(&GivenBody::radius, positive), "length",
              "Radius; of a torus that of the ring, larger than its outer tube radius.", required},
             {"length", of("cylinder", "tube"), value(&GivenBody::length, positive), "length",
@@ -209,14 +240,16 @@ const Table<GivenBody> body_keys{
             {"tube", of("torus"),
              value(&GivenBody::tube, Each{positive, "two lengths > 0 [inner radius, outer radius]"}), "length",
              "Inner and outer radius of the tube.", required},
-            {"elements", of("box", "plate"), special("list of 3 integers >= 1", read_elements), "-",
+            {"elements", of("box"), special("list of 3 integers >= 1", read_elements), "-",
              "Elements along x, y and z.", required},
+            {"elements", of("plate"), special("list", read_elements), "-",
+             "Three integers >= 1, elements along x, y and z; of shells two, along x and y.", required},
             {"elements", of("cylinder"), special("list of 2 integers >= 1", read_elements), "-",
              "Elements across the radius (at least 2) and along the axis.", required},
             {"elements", of("sphere"), special("integer >= 1", read_radial), "-",
              "Elements across the radius (at least 2).", required},
             {"elements", of("tube"), special("list of 3 integers >= 1", read_elements), "-",
-             "Elements through the wall, around (at least 3) and along.", required},
+             "Elements through the wall (1 of shells), around (at least 3) and along.", required},
             {"elements", of("torus"), special("list of 3 integers >= 1", read_elements), "-",
              "Elements around the ring, around the tube (at least 3 each) and through the wall.", required},
             {"bias", of("box", "plate", "cylinder", "tube", "torus"), special("list", read_bias), "-",

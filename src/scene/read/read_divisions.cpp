@@ -62,6 +62,7 @@ std::vector<Extent> extents_of(const GivenBody& body) {
   if (body.kind == "torus")
     return {{0, 0, "around the ring", true}, {0, 0, "around the tube", true}, {inner, outer, "through the wall"}};
   const auto& [width, depth] = body.plate_size;
+  if (body.shell) return {{-width / 2, width / 2, "along x"}, {-depth / 2, depth / 2, "along y"}};
   return {{-width / 2, width / 2, "along x"}, {-depth / 2, depth / 2, "along y"}, {0, body.thickness, "along z"}};
 }
 

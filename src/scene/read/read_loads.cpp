@@ -12,9 +12,13 @@ constexpr Text side_set{"name", "the name of a side set"};
 
 void judge_force(const Key& map, DeadLoad& load) {
   judge_selection(map);
-  demand_one(map, {"force", "total"}, "missing force; expected force: for each node, or total: for all together",
-             "invalid entry: force and total are both given; expected one of force: for each node, or total: for all "
-             "together");
+  if (has(map, "moment") && has(map, "total"))
+    return fault(at(map, "moment"),
+                 "invalid together with total; expected moment: on each node, alone or beside force");
+  if (!has(map, "moment") || has(map, "force"))
+    demand_one(map, {"force", "total"}, "missing force; expected force: for each node, or total: for all together",
+               "invalid entry: force and total are both given; expected one of force: for each node, or total: for all "
+               "together");
   load.kind = has(map, "total") ? DeadLoad::Kind::total : DeadLoad::Kind::each_node;
 }
 
@@ -40,14 +44,18 @@ const Table<Pressure> pressure_keys{
 const Table<DeadLoad> forces_keys{
     "forces",
     "{set: name, force: [x, y, z]}",
-    joined(selection(&DeadLoad::where),
-           {
-               {"force", inherited<DeadLoad>(&DeadLoad::value, Vector::any), "force",
-                "Force on each selected node. Its direction is constant (dead load).", "required, or `total`"},
-               {"total", inherited<DeadLoad>(&DeadLoad::value, Vector::any), "force",
-                "Force on the whole selection, distributed over its exterior faces by area.", "required, or `force`"},
-               {"curve", value(&DeadLoad::curve, Named::curve), "-", "Factor over time.", "constant 1"},
-           }),
+    joined(
+        selection(&DeadLoad::where),
+        {
+            {"force", inherited<DeadLoad>(&DeadLoad::value, Vector::any), "force",
+             "Force on each selected node. Its direction is constant (dead load).", "required, or `total` or `moment`"},
+            {"total", inherited<DeadLoad>(&DeadLoad::value, Vector::any), "force",
+             "Force on the whole selection, distributed over its exterior faces by area.",
+             "required, or `force` or `moment`"},
+            {"moment", inherited<DeadLoad>(&DeadLoad::moment, Vector::any), "force length",
+             "Moment on each selected node of [shells](#shells), about axes of constant direction."},
+            {"curve", value(&DeadLoad::curve, Named::curve), "-", "Factor over time.", "constant 1"},
+        }),
     judge_force,
 };
 

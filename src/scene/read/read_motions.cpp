@@ -29,7 +29,7 @@ void judge_initial(const Key& map, InitialMotion&) {
     lacking(map, {"velocity", "rotation"}, "missing velocity or rotation; expected one of them, or both");
 }
 
-/// Translations, and rotations of rigid parts.
+/// Translations and rotations.
 void read_dofs(const Key& key, Fixed& fixed) {
   std::array<bool, 6> marked{};
   if (!read(key, marked, directions)) return;
@@ -100,7 +100,7 @@ const Table<Fixed> fixed_keys{
     joined(selection(&Fixed::where),
            {
                {"dofs", special("list of " + phrase(0, directions), read_dofs), "-",
-                "Fixed directions; rotations of rigid parts only.", required},
+                "Fixed directions; rotations of rigid parts and of nodes of [shells](#shells) only.", required},
            }),
     [](const Key& map, Fixed&) { judge_selection(map); },
 };
@@ -123,7 +123,7 @@ const Table<Prescribed> prescribed_keys{
     joined(selection(&Prescribed::where),
            {
                {"dof", value(&Prescribed::dof, directions), "-",
-                "Direction; rotations of rigid parts only, in radians.", required},
+                "Direction; rotations, in radians, of rigid parts and of nodes of [shells](#shells) only.", required},
                {"scale", value(&Prescribed::scale, any_number), "-", "Factor on the curve."},
                {"velocity", special("name or number", read_motion<Gives::velocity>), "velocity", "Curve, or constant.",
                 "required, or another motion"},

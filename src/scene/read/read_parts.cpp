@@ -13,8 +13,11 @@ namespace {
 const Choices<ElementKind> element_kinds{{{"hex8", ElementKind::hex8},
                                           {"hex8_full", ElementKind::hex8_full},
                                           {"hex8_bbar", ElementKind::hex8_bbar},
-                                          {"tet4", ElementKind::tet4}},
-                                         {"shell4", "quad4"}};
+                                          {"tet4", ElementKind::tet4},
+                                          {"shell4", ElementKind::shell4},
+                                          {"shell4_full", ElementKind::shell4_full},
+                                          {"shell3", ElementKind::shell3}},
+                                         {"quad4"}};
 const Choices<HourglassKind> hourglass_kinds{{{"none", HourglassKind::none},
                                               {"viscous", HourglassKind::viscous},
                                               {"stiffness", HourglassKind::stiffness},
@@ -94,26 +97,74 @@ const Table<RigidGiven> rigid_keys{
     },
 };
 
+using element::ShellSection;
+using element::ThicknessRule;
+const Choices<ThicknessRule> thickness_rules{{{"gauss", ThicknessRule::gauss}, {"lobatto", ThicknessRule::lobatto}},
+                                             {}};
+constexpr Range within_thickness{-0.5, 0.5, true, true, "a number from -0.5 to 0.5"};
+
+const std::vector<Row<ShellSection>> shell_rows{
+    {"thickness", value(&ShellSection::thickness, positive), "length", "Thickness of a [shell](#shells) at the start.",
+     "none, but shells need it"},
+    {"points", value(&ShellSection::points, Count{1, ShellSection::most_points}), "-",
+     "Of shells: points through the thickness; one has no resistance to bending."},
+    {"rule", value(&ShellSection::rule, thickness_rules), "-",
+     "Of shells: places of the points; `lobatto` has points on both faces, at least 2."},
+    {"offset", value(&ShellSection::offset, within_thickness), "-",
+     "Of shells: distance of the middle from the surface of the nodes along the normal, over the thickness."},
+    {"thinning", value(&ShellSection::thinning), "-",
+     "Of shells: whether the thickness follows the strain across the shell."},
+    {"warping", value(&ShellSection::warping), "-",
+     "Of `shell4`: whether its fibres follow the warped surface, by which rigid motions give no force."},
+};
+
+/// Keys of shells on a part of solid elements, and a shell without a thickness. The mesh decides where the scene names
+/// no element.
+void judge_shell(const Key& map, Part& part) {
+  std::string first;
+  for (const Row<ShellSection>& row : shell_rows)
+    if (first.empty() && has(map, row.said.key)) first = row.said.key;
+  const bool wrong_thickness = has(map, "thickness") && part.section.thickness == 0;  // a fault of its own
+  if (part.element && !is_shell(part)) {
+    if (!first.empty())
+      fault(at(map, first), fmt::format("invalid for element {}: only shells have this key; expected shell4, "
+                                        "shell4_full or shell3, or no {}",
+                                        element::name_of(*part.element), first));
+  } else if (part.section.thickness == 0 && !wrong_thickness && (part.element || !first.empty())) {
+    lacking(map, {"thickness"},
+            part.element
+                ? "missing thickness of shells; expected thickness: a length > 0"
+                : fmt::format("missing thickness beside {}, a key of shells; expected thickness: a length > 0, "
+                              "or no {} of solid elements",
+                              first, first));
+  }
+  if (part.section.rule == ThicknessRule::lobatto && part.section.points < 2)
+    fault(at(map, "points"),
+          "out of range: 1 point with rule: lobatto, which has points on both faces; expected at least 2");
+}
+
+const std::vector<Row<Part>> part_rows{
+    {"block", value(&Part::block, Text{"name", "the name or number of a block of the mesh"}), "-",
+     "Name or number of a block of the mesh; a number that blocks of two files have is refused.", "name of the part"},
+    {"material", value(&Part::material, Named::material), "-", "Name of a material.", required},
+    {"element", value(&Part::element, element_kinds), "-",
+     "One-point, fully integrated or B-bar hexahedron, or linear tetrahedron, [which "
+     "one](../../cases/LIMITS.md#materials-and-elements); or [shells](#shells).",
+     "`hex8`; of quadrilaterals `shell4`, of triangles `shell3`"},
+    {"hourglass", map_of(&Part::hourglass, hourglass_keys), "-",
+     "[Hourglass control](../element/README.md#hourglass-control-and-folded-elements) of `hex8` and `shell4`.",
+     "see below"},
+    {"bulk", map_of(&Part::bulk, bulk_keys), "-", "[Bulk viscosity](../element/README.md#bulk-viscosity).",
+     "see below"},
+    {"rigid", map_of(&Part::rigid, rigid_keys), "-", "Mass properties of a [rigid part](#rigid-parts)."},
+    {"erosion", map_of(&Part::erosion, erosion_keys), "-", "Criteria for the [deletion of elements](#erosion)."},
+};
+
 const Table<Part> part_keys{
     "parts",
     "a map {material: name, ...}",
-    {
-        {"block", value(&Part::block, Text{"name", "the name or number of a block of the mesh"}), "-",
-         "Name or number of a block of the mesh; a number that blocks of two files have is refused.",
-         "name of the part"},
-        {"material", value(&Part::material, Named::material), "-", "Name of a material.", required},
-        {"element", value(&Part::element, element_kinds), "-",
-         "One-point, fully integrated or B-bar hexahedron, or linear tetrahedron; [which "
-         "one](../../cases/LIMITS.md#materials-and-elements)."},
-        {"hourglass", map_of(&Part::hourglass, hourglass_keys), "-",
-         "[Hourglass control](../element/README.md#hourglass-control-and-folded-elements) of `hex8`.", "see below"},
-        {"bulk", map_of(&Part::bulk, bulk_keys), "-", "[Bulk viscosity](../element/README.md#bulk-viscosity).",
-         "see below"},
-        {"rigid", map_of(&Part::rigid, rigid_keys), "-", "Mass properties of a [rigid part](#rigid-parts)."},
-        {"erosion", map_of(&Part::erosion, erosion_keys), "-", "Criteria for the [deletion of elements](#erosion)."},
-        refused<Part>("thickness", {},
-                      [](const Key& key, Part&) { later(key, "'thickness'", "no thickness for solid elements"); }),
-    },
+    joined(part_rows, within(&Part::section, shell_rows)),
+    judge_shell,
 };
 
 /// Materials have been read.

@@ -93,10 +93,11 @@ void read_later(const Key&, Probe&) {}
 
 void read_field(const Key& key, Probe& probe) {
   std::vector<std::string> fields{"displacement", "velocity", "position"};
-  if (probe.kind == Kind::set || probe.kind == Kind::part) fields.emplace_back("reaction");
+  for (const char* turning : {"rotation", "angular_velocity"}) fields.emplace_back(turning);
+  if (probe.kind == Kind::set || probe.kind == Kind::part)
+    for (const char* of_supports : {"reaction", "reaction_moment"}) fields.emplace_back(of_supports);
   if (probe.kind == Kind::part)
-    for (const char* sum : {"mass", "rotation", "angular_velocity", "force", "moment", "reaction_moment", "center",
-                            "momentum", "angular_momentum", "energy"})
+    for (const char* sum : {"mass", "force", "moment", "center", "momentum", "angular_momentum", "energy"})
       fields.emplace_back(sum);
   const std::size_t chosen = read_choice(key, fields, {});
   if (chosen < fields.size()) probe.field = fields[chosen];

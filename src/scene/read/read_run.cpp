@@ -30,8 +30,9 @@ void judge_run(const Key& map, Run&) {
 
 void read_fields(const Key& key, Output& output) {
   static const std::vector<std::string> fields{
-      "displacement", "velocity",    "stress", "plastic_strain", "contact_pressure", "gap",
-      "mass",         "temperature", "damage", "strain_rate",    "relative_volume",  "energy"};
+      "displacement", "velocity",      "stress",    "plastic_strain", "contact_pressure", "gap",
+      "mass",         "temperature",   "damage",    "strain_rate",    "relative_volume",  "energy",
+      "thickness",    "stress_bottom", "stress_top"};
   output.fields.clear();
   for (const Key& entry : items(key, "a list of fields, such as [displacement, velocity, stress]")) {
     const std::size_t chosen = read_choice(entry, fields, {});

@@ -81,13 +81,13 @@ std::string dof_name(int dof) {
 void check_probes(const Input& input, std::vector<std::string>& faults) {
   for (std::size_t k = 0; k < input.probes.size(); ++k) {
     const Probe& probe = input.probes[k];
-    const bool of_body = probe.field == "rotation" || probe.field == "angular_velocity" || probe.field == "force" ||
-                         probe.field == "moment" || probe.field == "reaction_moment";
+    const bool of_body = probe.field == "force" || probe.field == "moment";
     if (of_body && probe.kind != Probe::Kind::joint && !names_rigid_part(input, probe.where))
       faults.push_back(
           reported(input, fmt::format("probes.{}.field", k),
                    "invalid field '{}': it exists for rigid parts only, and '{}' is deformable; expected displacement, "
-                   "velocity, position, reaction, mass, center, momentum, angular_momentum or energy",
+                   "velocity, position, rotation, angular_velocity, reaction, reaction_moment, mass, center, momentum, "
+                   "angular_momentum or energy",
                    probe.field, excerpt(probe.where)));
     for (const std::string& part : probe.parts)
       if (names_rigid_part(input, part))
@@ -128,9 +128,12 @@ std::vector<std::string> faults_of_rigid_parts(const Input& input) {
       faults.push_back(reported(input, fmt::format("parts.{}.rigid", part.name),
                                 "invalid material '{}': it is not rigid; expected a material of model: rigid",
                                 excerpt(part.material)));
+  const bool any_shell = std::ranges::any_of(input.parts, is_shell);  // else its nodes are judged when they are known
   const auto rotation_of_nodes = [&](const std::string& key) {
-    faults.push_back(
-        reported(input, key, "invalid rotation rx, ry or rz of nodes; expected part: a rigid part, or x, y, z"));
+    if (any_shell) return;
+    faults.push_back(reported(input, key,
+                              "invalid rotation rx, ry or rz of nodes without shells; expected part: a rigid part, "
+                              "nodes of shells, or x, y, z"));
   };
   for (std::size_t k = 0; k < input.fixed.size(); ++k)
     if (turns(input.fixed[k]) && !names_rigid_part(input, input.fixed[k].where))

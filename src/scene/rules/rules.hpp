@@ -28,6 +28,9 @@ void warn_of_units(const Key& material, const material::Law& law, const std::str
 /// Joints of parts that are not rigid or that are one body, and scenes that have no joints in this version.
 [[nodiscard]] std::vector<std::string> faults_of_joints(const Input& input);
 
+/// Laws, contact, solvers and criteria of erosion that parts of shells do not have, moments without shells.
+[[nodiscard]] std::vector<std::string> faults_of_shells(const Input& input);
+
 /// What implicit scenes may not have, and explicit ones of implicit scenes.
 [[nodiscard]] std::vector<std::string> faults_of_solver(const Input& input);
 

@@ -94,7 +94,7 @@ TEST_CASE("a small scene is read with its defaults", "[scene]") {
   REQUIRE(input.parts.size() == 2);
   const Part& left = input.parts[0];
   CHECK(left.block == "left");
-  CHECK(left.element == ElementKind::hex8);
+  CHECK_FALSE(left.element);  // by the shape of the mesh
   CHECK(left.hourglass.kind == HourglassKind::stiffness);
   CHECK(left.hourglass.coefficient == 0.05);
   CHECK(left.bulk.linear == 0.06);
