@@ -72,17 +72,17 @@ def take(state, record, look):
             raise Fault(f"out of range: --deform {look.deform:g} gives positions that are not finite; expected a smaller factor")
         raise Fault(f"invalid displacement of step {record.attrs['step']}: it is not finite; expected an earlier --time")
     blocks, shown = state.blocks(), state.alive(record)
-    for (_, first, connectivity), seen in zip(blocks, parts_shown(state, look)):
+    for (_, first, connectivity, _), seen in zip(blocks, parts_shown(state, look)):
         shown[first:first + len(connectivity)] &= seen
     if look.field == "part":
         values, nodal, title = np.zeros(len(shown)), False, "parts"
         order = list(dict.fromkeys(state.parts()))
-        for part, first, connectivity in blocks:
+        for part, first, connectivity, _ in blocks:
             values[first:first + len(connectivity)] = order.index(part)
     else:
         values, nodal, title = field_values(record, look.field)
     triangles = surface(points, blocks, shown, values, nodal, look.planes)
-    drawn = np.unique(np.concatenate([c[shown[first:first + len(c)]].ravel() for _, first, c in blocks])) if look.planes else []
+    drawn = np.unique(np.concatenate([c[shown[first:first + len(c)]].ravel() for _, first, c, _ in blocks])) if look.planes else []
     time = f"{record.attrs['time']:.6g} {state.unit_of('time')}".rstrip()
     return Shot(triangles, title, time, int(record.attrs["step"]), heights_over(look.planes, points[drawn]))
 

@@ -113,7 +113,7 @@ def parts_table(result):
     counts, ends = {}, {}
     if result.state:
         points = result.state.positions(result.state.records[0], 0.0)
-        for part, _, connectivity in result.state.blocks():
+        for part, _, connectivity, _ in result.state.blocks():
             counts[part] = counts.get(part, 0) + len(connectivity)
             corners = points[connectivity.ravel()]
             ends[part] = (corners.min(axis=0), corners.max(axis=0)) if len(corners) else None

@@ -9,7 +9,7 @@ from arguments import Fault, excerpt
 
 COMPONENTS = {3: ["x", "y", "z"], 6: ["xx", "yy", "zz", "xy", "yz", "zx"]}
 QUANTITIES = {"displacement": "length", "gap": "length", "velocity": "velocity", "stress": "stress",
-              "contact_pressure": "stress"}
+              "contact_pressure": "stress", "stress_bottom": "stress", "stress_top": "stress", "thickness": "length"}
 
 
 class State:
@@ -53,23 +53,24 @@ class State:
         return self.unit_of(QUANTITIES.get(name.partition(".")[0], "none"))
 
     def blocks(self):
-        """(part, index of the first element, connectivity) of each block."""
+        """(part, index of the first element, connectivity, shape) of each block."""
         stored = self.file["mesh/connectivity"][...]
         blocks, offset = [], 0
         for b in range(int(self.file.attrs["blocks"])):
             attributes = self.file[f"mesh/block_{b}"].attrs
             first, count, width = (int(attributes[name]) for name in ("first", "count", "nodes_per_element"))
             part = text_of(attributes.get("part", attributes.get("name", b)))  # files of before name blocks alone
+            shape = text_of(attributes.get("shape", "hex8" if width == 8 else "tet4"))  # and have solids alone
             if stored.ndim == 2:
-                blocks.append((part, first, stored[first:first + count]))
+                blocks.append((part, first, stored[first:first + count], shape))
             else:  # a stream of cells, each led by its type
                 cells = stored[offset:offset + count * (width + 1)].reshape(count, width + 1)
-                blocks.append((part, first, cells[:, 1:]))
+                blocks.append((part, first, cells[:, 1:], shape))
                 offset += count * (width + 1)
         return blocks
 
     def parts(self):
-        return [part for part, _, _ in self.blocks()]
+        return [part for part, _, _, _ in self.blocks()]
 
     def alive(self, record):
         """Of each element: not taken away by the run."""

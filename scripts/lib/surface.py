@@ -6,6 +6,7 @@ import numpy as np
 
 HEX_FACES = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 4, 7, 3], [0, 3, 2, 1], [4, 5, 6, 7]]
 TET_FACES = [[0, 1, 3, 3], [1, 2, 3, 3], [0, 3, 2, 2], [0, 2, 1, 1]]  # a triangle repeats its last node
+SHELL_FACES = {"quad4": [0, 1, 2, 3], "tri3": [0, 1, 2, 2]}
 HEX_TETS = [[0, a, b, 6] for a, b in ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))]  # six around the diagonal 0-6
 HEX_TET_OUTSIDE = [True, False, False, True]  # is the face opposite a corner of such a tetrahedron on the hexahedron's?
 
@@ -26,12 +27,17 @@ def joined(pieces):
 
 
 def exterior_faces(blocks, shown):
-    """Faces that belong to one of the elements shown: nodes [faces][4], element [faces]."""
+    """Faces that belong to one of the elements shown, and all shells shown: nodes [faces][4], element [faces]."""
     nodes, element = [np.empty((0, 4), int)], [np.empty(0, int)]
-    for _, first, connectivity in blocks:
+    shells = [np.empty((0, 4), int)], [np.empty(0, int)]
+    for _, first, connectivity, shape in blocks:
         index = first + np.arange(len(connectivity))
         seen = shown[index]
-        for face in (HEX_FACES if connectivity.shape[1] == 8 else TET_FACES):
+        if shape in SHELL_FACES:
+            shells[0].append(connectivity[seen][:, SHELL_FACES[shape]])
+            shells[1].append(index[seen])
+            continue
+        for face in (HEX_FACES if shape == "hex8" else TET_FACES):
             nodes.append(connectivity[seen][:, face])
             element.append(index[seen])
     nodes, element = np.concatenate(nodes), np.concatenate(element)
@@ -42,7 +48,7 @@ def exterior_faces(blocks, shown):
     same_as_next = (key[order][1:] == key[order][:-1]).all(axis=1)
     single = ~(np.append(same_as_next, False) | np.append(False, same_as_next)) if len(order) else np.empty(0, bool)
     kept = np.sort(order[single])
-    return nodes[kept], element[kept]
+    return np.concatenate([nodes[kept], *shells[0]]), np.concatenate([element[kept], *shells[1]])
 
 
 def faces_as_triangles(points, faces, values):
@@ -132,15 +138,17 @@ def keep_one(t, distance, v):
 # --- sections of elements -------------------------------------------------------------------------------------------
 
 def section(points, blocks, shown, values, nodal, distance):
-    """Sections of the elements by the plane, tetrahedron by tetrahedron (a hexahedron is six); only lines in the
+    """Sections of the solid elements by the plane, tetrahedron by tetrahedron (a hexahedron is six); only lines in the
     elements' faces are edges."""
     pieces = [Triangles(np.empty((0, 3, 3)), np.empty((0, 3)), np.empty((0, 3), bool))]
-    for _, first, connectivity in blocks:
+    for _, first, connectivity, shape in blocks:
+        if shape in SHELL_FACES:
+            continue
         index = first + np.arange(len(connectivity))
         beyond = distance[connectivity] > 0
         crossed = shown[index] & beyond.any(axis=1) & ~beyond.all(axis=1)
         nodes, element = connectivity[crossed], index[crossed]
-        is_hex = connectivity.shape[1] == 8
+        is_hex = shape == "hex8"
         for tet in (HEX_TETS if is_hex else [[0, 1, 2, 3]]):
             corners = nodes[:, tet]
             field = values[corners] if nodal else np.repeat(values[element][:, None], 4, axis=1)

@@ -34,7 +34,9 @@ int info(const comm::Communicator& ranks, const InfoOptions& options) {
   fmt::print("METIS        {}.{}.{}\n", METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR);
   fmt::print("Eigen        {}.{}.{}\n", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
   fmt::print("limits       2^31 - 1 nodes or elements on each rank, and in the mesh that the root reads\n");
-  fmt::print("elements     hex8 (one point, hourglass control), hex8_full (2x2x2), hex8_bbar (2x2x2, B-bar), tet4\n");
+  fmt::print(
+      "elements     hex8 (one point, hourglass control), hex8_full (2x2x2), hex8_bbar (2x2x2, B-bar), tet4;\n"
+      "             shells shell4 (one point, hourglass control), shell4_full (2x2), shell3\n");
   fmt::print("materials    elastic, j2 (linear or tabulated, isotropic to kinematic), neo_hookean, rigid\n");
   fmt::print("             johnson_cook, piecewise_linear, hydrodynamic, crushable_foam; damage and erosion\n");
   fmt::print("             equations of state mie_gruneisen, linear_polynomial\n");

@@ -32,6 +32,11 @@ std::string curve_text(const std::string& curve) {
   return curve.empty() ? "" : ", curve " + curve;
 }
 
+template <class Body>
+const char* shell_word(const Body& body) {
+  return body.shell ? "shell " : "";
+}
+
 std::string body_text(const scene::MeshEntry& entry) {
   return std::visit(
       [](const auto& body) -> std::string {
@@ -42,18 +47,21 @@ std::string body_text(const scene::MeshEntry& entry) {
           return fmt::format("{}: cylinder, elements: {} across the radius, {} around, {} along", body.part,
                              body.elements[0], mesh::elements_around(body.elements[0]), body.elements[1]);
         } else if constexpr (std::is_same_v<Body, scene::SphereMesh>) {
-          return fmt::format("{}: sphere, elements: {} across the radius, {} around the whole", body.part,
-                             body.elements, mesh::elements_around(body.elements));
+          return fmt::format("{}: {}sphere, elements: {} across the radius, {} around the whole", body.part,
+                             shell_word(body), body.elements, mesh::elements_around(body.elements));
         } else if constexpr (std::is_same_v<Body, scene::TubeMesh>) {
-          return fmt::format("{}: tube, elements: {} through the wall, {} around, {} along", body.part,
-                             body.elements[0], body.elements[1], body.elements[2]);
+          return fmt::format("{}: {}tube, elements: {} through the wall, {} around, {} along", body.part,
+                             shell_word(body), body.elements[0], body.elements[1], body.elements[2]);
         } else if constexpr (std::is_same_v<Body, scene::TorusMesh>) {
           return fmt::format("{}: torus, elements: {} around the ring, {} around the tube, {} through the wall",
                              body.part, body.elements[0], body.elements[1], body.elements[2]);
         } else {
           const char* kind = std::is_same_v<Body, scene::BoxMesh> ? "box" : "plate";
-          return fmt::format("{}: {}, elements: {} x {} x {}", body.part, kind, body.elements[0], body.elements[1],
-                             body.elements[2]);
+          const std::string plane = fmt::format("{}: {}{}, elements: {} x {}", body.part, shell_word(body), kind,
+                                                body.elements[0], body.elements[1]);
+          return std::is_same_v<Body, scene::PlateMesh> && body.shell
+                     ? plane
+                     : plane + fmt::format(" x {}", body.elements[2].cells);
         }
       },
       entry.body);
@@ -73,6 +81,7 @@ class Listing {
     each(input.forces, &Listing::add_force);
     each(input.traction, &Listing::add_traction);
     each(input.remove, &Listing::add_removal);
+    each(input.parts, &Listing::add_shell);
     each(input.parts, &Listing::add_metal);
     each(input.parts, &Listing::add_erosion);
     add_fields();
@@ -197,6 +206,17 @@ class Listing {
   void add_removal(const scene::Removal& removal, std::size_t /*k*/) {
     add("remove", fmt::format("{}: at t = {:g} {}{}", removal.where, removal.at, units_.time,
                               removal.keeps_nodes ? "" : ", nodes too"));
+  }
+
+  void add_shell(const scene::Part& part, std::size_t /*k*/) {
+    const element::ShellSection& section = part.section;
+    if (section.thickness == 0) return;
+    const bool gauss = section.rule == element::ThicknessRule::gauss;
+    std::string text = fmt::format("{}: thickness {}, {} through it ({})", part.name,
+                                   scene::with_length(section.thickness, run_.input.units, 6),
+                                   counted(section.points, "point"), gauss ? "gauss" : "lobatto");
+    if (section.offset != 0) text += fmt::format(", middle at {:g} of it above the nodes", section.offset);
+    add("shell", text + (section.thinning ? "" : ", constant") + (section.warping ? "" : ", without warping"));
   }
 
   /// What a metal has besides its strength.

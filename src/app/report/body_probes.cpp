@@ -8,13 +8,6 @@
 namespace brunt::app {
 namespace {
 
-/// Axis times angle, the shorter way round.
-Vec3 rotation_vector(Eigen::Quaterniond q) {
-  if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const double sine = q.vec().norm();
-  return sine > 0 ? Vec3(2 * std::atan2(sine, q.w()) / sine * q.vec()) : Vec3(Vec3::Zero());
-}
-
 /// Of the last step, at its x_n.
 const model::BodyStep& step_of(const Prepared& run, std::size_t b) {
   return run.scratch.bodies[b];
@@ -46,6 +39,12 @@ Vec3 shift_of_arm(const Prepared& run, std::size_t b, const Vec3& arm) {
 }
 
 }  // namespace
+
+Vec3 rotation_vector(Eigen::Quaterniond q) {
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const double sine = q.vec().norm();
+  return sine > 0 ? Vec3(2 * std::atan2(sine, q.w()) / sine * q.vec()) : Vec3(Vec3::Zero());
+}
 
 std::optional<std::size_t> body_of_part(const model::Model& model, const std::string& part) {
   const auto found = std::ranges::find(model.bodies, part, &model::RigidBody::part);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Quantities of rigid parts for probes: every rank knows them, so nothing here is collective.
 #pragma once
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,9 @@
 #include "part_sums.hpp"
 
 namespace brunt::app {
+
+/// Axis times angle, the shorter way round.
+Vec3 rotation_vector(Eigen::Quaterniond q);
 
 /// Position of the part's body in Model::bodies; none for a deformable part.
 std::optional<std::size_t> body_of_part(const model::Model& model, const std::string& part);

@@ -6,6 +6,7 @@
 
 #include "implicit/solver.hpp"
 #include "model/alive.hpp"
+#include "shell_stress.hpp"
 
 namespace brunt::app {
 namespace {
@@ -40,8 +41,21 @@ io::StateField elemental(const Prepared& run, const std::string& name, int compo
   return field;
 }
 
+/// Of solid elements the mean over their points, at any height.
+io::StateField stresses(const Prepared& run, const std::string& name, ShellHeight height) {
+  io::StateField field = elemental(run, "stress", 6);
+  field.name = name;
+  std::size_t at = 0;
+  for (std::size_t b = 0; b < run.model.blocks.size(); ++b) {
+    const model::ElementBlock& block = run.model.blocks[b];
+    for (LocalIndex e = 0; e < block.count; ++e, at += 6)
+      if (element::is_shell(block.kind)) std::ranges::copy(shell_stress(run, block, b, e, height), &field.values[at]);
+  }
+  return field;
+}
+
 io::StateField mises(const Prepared& run) {
-  const io::StateField stress = elemental(run, "stress", 6);
+  const io::StateField stress = stresses(run, "stress", ShellHeight::middle);
   io::StateField field{"mises", io::Place::element, 1, {}};
   for (std::size_t k = 0; k + 5 < stress.values.size(); k += 6) {
     const double* s = &stress.values[k];
@@ -78,8 +92,14 @@ std::vector<io::StateField> state_fields(const Prepared& run) {
       fields.push_back(nodal(run, name, 1, [&](std::size_t i, int) { return run.state.nodes[i].mass; }));
     else if (name == "mises")
       fields.push_back(mises(run));
+    else if (name == "stress")
+      fields.push_back(stresses(run, name, ShellHeight::middle));
+    else if (name == "stress_bottom")
+      fields.push_back(stresses(run, name, ShellHeight::bottom));
+    else if (name == "stress_top")
+      fields.push_back(stresses(run, name, ShellHeight::top));
     else
-      fields.push_back(elemental(run, name, name == "stress" ? 6 : 1));
+      fields.push_back(elemental(run, name, 1));
   }
   if (run.model.loses_elements()) fields.push_back(alive(run));
   return fields;

@@ -17,7 +17,7 @@ namespace {
 double element_cost(const model::Model& model) {
   double cost = 0;
   for (const model::ElementBlock& block : model.blocks)
-    cost += block.count * cost_of(block.kind, material::is_rigid(block.law));
+    cost += block.count * cost_of(block.kind, block.section.points, material::is_rigid(block.law));
   return cost;
 }
 

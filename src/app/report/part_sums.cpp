@@ -33,6 +33,20 @@ void for_corners(const Prepared& run, const PartNodes& part, Visit&& visit) {
   }
 }
 
+/// Calls visit(node, its share of the element's rotary inertia) likewise for a part of shells.
+template <class Visit>
+void for_turning_corners(const Prepared& run, const PartNodes& part, Visit&& visit) {
+  const model::ElementBlock& block = run.model.blocks[part.block];
+  if (!block.turns()) return;
+  const model::HistoryRange& inertia = *block.find("rotary_inertia");
+  for (LocalIndex e = 0; e < block.count; ++e) {
+    const double share = remembered(run, part.block, e, inertia) / block.corners();
+    for (int c = 0; c < block.corners(); ++c)
+      if (const auto node = static_cast<std::size_t>(block.corner_node(e, c)); !run.state.nodes[node].is_dropped())
+        visit(node, share);
+  }
+}
+
 template <std::size_t n>
 std::array<double, n> rounded(const Prepared& run, std::array<comm::ExactAccumulator, n>& sums) {
   std::array<double, n> value{};
@@ -57,6 +71,9 @@ Vec3 position(const Prepared& run, std::size_t node) {
 }
 Vec3 velocity(const Prepared& run, std::size_t node) {
   return Eigen::Map<const Vec3>(run.state.nodes[node].v);
+}
+Vec3 rate(const Prepared& run, std::size_t node) {
+  return Eigen::Map<const Vec3>(run.state.rotations[node].rate);
 }
 
 }  // namespace
@@ -91,8 +108,16 @@ Vec3 part_momentum(const Prepared& run, const PartNodes& part) {
 
 Vec3 part_angular_momentum(const Prepared& run, const PartNodes& part, const Vec3& about) {
   const Vec3 point = about - run.model.mesh.origin;
-  return weighted_sum(
-      run, part, [&](std::size_t node) -> Vec3 { return (position(run, node) - point).cross(velocity(run, node)); });
+  std::array<comm::ExactAccumulator, 3> sums;
+  const auto add = [&](const Vec3& momentum) {
+    for (std::size_t c = 0; c < 3; ++c) sums[c].add(momentum[static_cast<int>(c)]);
+  };
+  for_corners(run, part, [&](std::size_t node, double share) {
+    add(share * (position(run, node) - point).cross(velocity(run, node)));
+  });
+  for_turning_corners(run, part, [&](std::size_t node, double share) { add(share * rate(run, node)); });
+  const std::array<double, 3> value = rounded(run, sums);
+  return {value[0], value[1], value[2]};
 }
 
 PartEnergy part_energy(const Prepared& run, const PartNodes& part, std::span<const Vec3> before, double dt_mean) {
@@ -102,18 +127,28 @@ PartEnergy part_energy(const Prepared& run, const PartNodes& part, std::span<con
   for_corners(run, part, [&](std::size_t node, double share) {
     sums[kinetic].add(0.5 * share * velocity(run, node).dot(before[node]));
   });
+  for_turning_corners(run, part, [&](std::size_t node, double share) {
+    const Quad& earlier = run.scratch.rate_before[node];
+    sums[kinetic].add(0.5 * share * rate(run, node).dot(Vec3(earlier[0], earlier[1], earlier[2])));
+  });
   // accounts hold the work of whole steps: half of the last impulse's work is taken off again
   for (const LocalIndex node : part.own) {
     const auto i = static_cast<std::size_t>(node);
     const Quad& f = run.scratch.force[i];
     sums[work].add(run.state.displacement[i][3] - 0.5 * dt_mean * velocity(run, i).dot(Vec3(f[0], f[1], f[2])));
+    if (!block.turns()) continue;
+    const Quad& m = run.scratch.moment[i];
+    sums[work].add(run.state.rotation_accounts[i].element_work -
+                   0.5 * dt_mean * rate(run, i).dot(Vec3(m[0], m[1], m[2])));
   }
   if (run.model.between_parts.booked) {
     for (const double done : run.state.interface_work[part.block]) sums[work].add(done);
-    for (const model::WatchedCorner& corner : run.model.between_parts.corners[part.block])
-      sums[work].add(
-          -0.5 * dt_mean *
-          velocity(run, static_cast<std::size_t>(corner.node)).dot(force::corner_force(run.scratch, corner)));
+    for (const model::WatchedCorner& corner : run.model.between_parts.corners[part.block]) {
+      const auto node = static_cast<std::size_t>(corner.node);
+      double power = velocity(run, node).dot(force::corner_force(run.scratch, corner));
+      if (block.turns()) power += rate(run, node).dot(force::corner_moment(run.scratch, corner));
+      sums[work].add(-0.5 * dt_mean * power);
+    }
   }
   // removed elements have taken theirs along
   const auto lives = [&](LocalIndex e) { return model::lives(run.state, part.block, e); };

@@ -8,6 +8,7 @@
 #include "implicit/static_forces.hpp"
 #include "implicit_probes.hpp"
 #include "joint_probes.hpp"
+#include "rotation_probes.hpp"
 #include "scene/build/select.hpp"
 
 namespace brunt::app {
@@ -185,7 +186,9 @@ void Probes::read_motion(const Prepared& run) {
     } else if (probe.field == "center") {
       motion_[k] = body_[k] ? body_part_center(run, *body_[k]) : part_center(run, part_[k]);
     } else if (!is_force(probe) && !is_sum(probe)) {
-      motion_[k] = body_[k] ? body_motion(run, *body_[k], probe.field) : mean_motion(run, k);
+      motion_[k] = body_[k]                       ? body_motion(run, *body_[k], probe.field)
+                   : is_rotation_of_nodes(run, k) ? mean_rotation(run, k)
+                                                  : mean_motion(run, k);
     }
   }
   if (!keeps_velocity_) return;
@@ -241,8 +244,9 @@ void Probes::add_force(Prepared& run, const contact::ContactTotals& totals, std:
     const Vec3 total = watched.kind == Probe::Kind::wall ? totals.wall_impulse[wall_of(run, watched.where)]
                        : watched.kind == Probe::Kind::joint
                            ? joint_impulse(run, joint_of(run.model, watched.where), watched.field)
-                       : body_[probe] ? body_impulse(run, *body_[probe], watched.field)
-                                      : reaction_impulse(run, probe);
+                       : body_[probe]       ? body_impulse(run, *body_[probe], watched.field)
+                       : is_moment(watched) ? rotation_reaction(run, probe)
+                                            : reaction_impulse(run, probe);
     add_vector(total, last, at_time ? static_force(run, probe, body_[probe]) : Vec3(Vec3::Zero()));
     last = total;
     return;

@@ -59,9 +59,10 @@ Section find_section(const Prepared& run, std::size_t index) {
 std::array<Vec3, 2> section_force(const Prepared& run, const Section& section) {
   const Vec3 about = section.about ? Vec3(*section.about - run.model.mesh.origin) : center(run, section);
   std::array<comm::ExactAccumulator, 6> sums;
-  for (const std::vector<model::WatchedCorner>& corners : section.corners)
-    for (const model::WatchedCorner& corner : corners) {
+  for (std::size_t b = 0; b < section.corners.size(); ++b)
+    for (const model::WatchedCorner& corner : section.corners[b]) {
       const Vec3 force = force::corner_force(run.scratch, corner);
+      if (run.model.blocks[b].turns()) add(std::span(sums).last(3), force::corner_moment(run.scratch, corner));
       add(std::span(sums).first(3), force);
       add(std::span(sums).last(3), (position(run, corner.node) - about).cross(force));
     }

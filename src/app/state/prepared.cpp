@@ -59,7 +59,8 @@ void Prepared::after_restart() {
 }
 
 void begin_run(Prepared& run) {
-  time::begin_run(run.model, run.state, scene::initial_velocities(run.input, run.model));
+  time::begin_run(run.model, run.state, scene::initial_velocities(run.input, run.model),
+                  scene::initial_rates(run.input, run.model));
   if (!run.contact) return;
   run.contact_sums = save_sums(run.links.ranks, *run.contact);
   std::ranges::fill(run.contact_sums, 0.0);

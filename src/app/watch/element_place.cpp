@@ -29,7 +29,16 @@ double shortest_edge(const Corners& x, const Corners& reference, const cells::Ce
   return now / first;
 }
 
+/// Area of a shell, in two triangles: its tetrahedra are none.
+double area(const Corners& x, const cells::Cell& cell) {
+  double sum = 0;
+  for (std::size_t c = 1; c + 1 < static_cast<std::size_t>(cell.corners); ++c)
+    sum += 0.5 * (x[c] - x[0]).cross(x[c + 1] - x[0]).norm();
+  return sum;
+}
+
 double volume(const Corners& x, const cells::Cell& cell) {
+  if (cell.dimension == 2) return area(x, cell);
   const auto of = [&](const cells::Tetrahedron& tet) {
     const auto from_first = [&](std::size_t i) { return Vec3(nth(x, tet[i]) - nth(x, tet[0])); };
     return from_first(1).cross(from_first(2)).dot(from_first(3)) / 6;

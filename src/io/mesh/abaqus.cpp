@@ -44,6 +44,7 @@ std::span<const FaceCorners> sides_of(int corners) {
 }
 
 Shape shape_of(const AbaqusElement& element) {
+  if (element.shell) return element.corners == 3 ? Shape::tri3 : Shape::quad4;
   return cells::shape_with(element.corners);
 }
 
@@ -94,7 +95,25 @@ class MeshMaker {
            Eigen::AngleAxisd(instance.degrees * std::numbers::pi / 180, (to - from).normalized()) * (shifted - from);
   }
 
-  /// The element set that each element's block is of: of a solid section, or of its card.
+  /// Where no element of this kind has a section, those of the cards count.
+  void name_by_cards(const AbaqusPart& part, bool shell, const std::vector<bool>& taken,
+                     std::vector<std::string>& names) const {
+    const AbaqusElement* free = nullptr;
+    bool any = false;
+    for (std::size_t e = 0; e < taken.size(); ++e) {
+      if (part.elements[e].shell != shell) continue;
+      any = any || taken[e];
+      if (!taken[e] && free == nullptr) free = &part.elements[e];
+    }
+    if (any && free != nullptr)
+      deck_.fail(free->line,
+                 fmt::format("missing *{} SECTION for element {}; expected a section for each {}, or none at all",
+                             shell ? "SHELL" : "SOLID", free->number, shell ? "shell" : "solid element"));
+    for (std::size_t e = 0; !any && e < taken.size(); ++e)
+      if (part.elements[e].shell == shell) names[e] = part.dealt[e];
+  }
+
+  /// The element set that each element's block is of: of a section, or of its card.
   std::vector<std::string> block_names(Placed& placed) {
     const AbaqusPart& part = *placed.part;
     if (part.sections.empty()) return part.dealt;
@@ -103,28 +122,21 @@ class MeshMaker {
     for (const auto& [key, line] : part.sections) {
       const auto found = part.element_sets.find(key);
       if (found == part.element_sets.end())
-        deck_.fail(line, fmt::format("unknown element set '{}' of *SOLID SECTION; expected an element set of this part",
+        deck_.fail(line, fmt::format("unknown element set '{}' of a section; expected an element set of this part",
                                      excerpt(key)));
       for_elements(found->second, placed.named(found->second.name), &placed, [&](Placed*, std::int64_t number, int) {
         const auto solid = part.element_at.find(number);
         if (solid == part.element_at.end()) return;
         const auto e = static_cast<std::size_t>(solid->second);
         if (taken[e] && names[e] != key)
-          deck_.fail(line, fmt::format("invalid *SOLID SECTION: element {} already belongs to another one; expected "
+          deck_.fail(line, fmt::format("invalid section: element {} already belongs to another one; expected "
                                        "one section for each element",
                                        number));
         taken[e] = true;
         names[e] = key;
       });
     }
-    const auto free = std::ranges::find(taken, false);
-    if (free != taken.end()) {
-      const AbaqusElement& element = nth(part.elements, free - taken.begin());
-      deck_.fail(element.line,
-                 fmt::format(
-                     "missing *SOLID SECTION for element {}; expected a section for each solid element, or none at all",
-                     element.number));
-    }
+    for (const bool shell : {false, true}) name_by_cards(part, shell, taken, names);
     return names;
   }
 
@@ -144,9 +156,10 @@ class MeshMaker {
         block.nodes.push_back(placed.first_node + nth(element.nodes, nth(corners, k)));
       block.element_id.push_back(alone ? element.number : ++elements_);
     }
-    for (const auto& [key, b] : at) {  // both shapes: the tetrahedra are told apart
+    for (const auto& [key, b] : at) {  // several shapes: those after the first are told apart
       Block& block = nth(mesh_.blocks, b);
-      if (key.second == Shape::tet4 && at.contains({key.first, Shape::hex8})) block.name += "_tet4";
+      const bool first = at.lower_bound({key.first, Shape::hex8})->second == b;
+      if (!first) block.name += fmt::format("_{}", cells::of(key.second).name);
     }
   }
 
@@ -227,9 +240,10 @@ class MeshMaker {
                   const auto solid = placed == nullptr ? std::unordered_map<std::int64_t, LocalIndex>::const_iterator{}
                                                        : placed->part->element_at.find(number);
                   if (placed == nullptr || solid == placed->part->element_at.end())
-                    deck_.fail(line, fmt::format("invalid member of '{}': element {} is not a solid element of first "
-                                                 "order, so its nodes are not read; expected solid elements",
-                                                 excerpt(name), number));
+                    deck_.fail(line,
+                               fmt::format("invalid member of '{}': element {} is not a solid element or shell of "
+                                           "first order, so its nodes are not read; expected such elements",
+                                           excerpt(name), number));
                   const AbaqusElement& element = nth(placed->part->elements, solid->second);
                   for (int k = 0; k < element.corners; ++k) nodes.insert(placed->first_node + nth(element.nodes, k));
                 });
@@ -293,10 +307,22 @@ class MeshMaker {
     return std::ranges::binary_search(exterior_, side);
   }
 
+  /// Without a name the top.
+  void add_side_of_shell(const AbaqusElement& element, Side side, const AbaqusSurface::Piece& piece,
+                         std::set<Side>& sides) {
+    if (piece.face > 0 || piece.face == AbaqusSurface::edge)
+      deck_.fail(piece.line, fmt::format("invalid side of element {}: it is a shell, and only its two sides are read; "
+                                         "expected SPOS or SNEG",
+                                         element.number));
+    side.face = piece.face == AbaqusSurface::bottom ? 1 : 0;
+    sides.insert(side);
+  }
+
   void add_sides(const Placed& placed, LocalIndex e, const AbaqusSurface::Piece& piece, std::set<Side>& sides) {
     const AbaqusElement& element = nth(placed.part->elements, e);
     const auto [b, position] = nth(placed.element, e);
     const Block& block = nth(mesh_.blocks, b);
+    if (element.shell) return add_side_of_shell(element, {b, position, 0}, piece, sides);
     const auto all = sides_of(element.corners);
     if (piece.face < 0)
       deck_.fail(piece.line,
@@ -342,9 +368,11 @@ Mesh read_abaqus(const std::string& path, const std::vector<std::string>& ignore
     return std::ranges::any_of(model.parts[i.part].others, is_refused);
   };
   if (std::ranges::none_of(model.instances, has_elements) && std::ranges::none_of(model.instances, has_refused))
-    throw InputError(path + (model.parts.size() > 1 && model.instances.empty()
-                                 ? ": missing *INSTANCE of the parts; expected an *INSTANCE for each part that is used"
-                                 : ": missing solid elements; expected C3D4, C3D5, C3D6, C3D8 or their variants"));
+    throw InputError(
+        path +
+        (model.parts.size() > 1 && model.instances.empty()
+             ? ": missing *INSTANCE of the parts; expected an *INSTANCE for each part that is used"
+             : ": missing solid elements and shells; expected C3D4, C3D5, C3D6, C3D8, S4, S3 or their variants"));
   return leave_out(path, MeshMaker(deck, model).make(), ignore);
 }
 

@@ -4,13 +4,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include "core/excerpt.hpp"
 
 namespace brunt::io {
 namespace {
 
-constexpr std::string_view element_types = "C3D4, C3D5, C3D6, C3D8 and their variants (C3D8R, ...)";
+constexpr std::string_view element_types =
+    "C3D4, C3D5, C3D6, C3D8 and their variants (C3D8R, ...), or shells S4, S4R, S3, S3R, STRI3";
 
 /// One element's fields, over one line or several.
 struct Row {
@@ -37,11 +39,14 @@ void need_new(const AbaqusDeck& deck, const AbaqusPart& part, std::int64_t numbe
     deck.fail(line, fmt::format("invalid element {}: defined twice; expected each element once", number));
 }
 
-AbaqusElement element_in(const AbaqusDeck& deck, const AbaqusPart& part, const Row& row, int corners) {
+AbaqusElement element_in(const AbaqusDeck& deck, const AbaqusPart& part, const Row& row,
+                         const AbaqusElementType& type) {
+  const int corners = type.corners;
   AbaqusElement element{
       .number = number_in(deck, *row.fields[0].first, row.fields[0].second, "the number of an element"),
       .corners = corners,
-      .line = row.line};
+      .line = row.line,
+      .shell = type.shell};
   const auto count = static_cast<std::size_t>(corners);
   if (row.fields.size() != count + 1)
     deck.fail(row.line, fmt::format("invalid element {} of {} nodes; expected {} nodes for its type", element.number,
@@ -62,12 +67,30 @@ bool is_variant(std::string_view letters) {
   return letters.find_first_not_of("RIHTPES") == std::string_view::npos;
 }
 
+/// Shells of first order with six degrees of freedom at a node, or five; others are refused in words, or are none.
+bool read_shell(AbaqusElementType& type) {
+  static const std::set<std::string_view> quadrilaterals{"S4", "S4R", "S4RS", "S4RSW", "S4R5", "S4T", "S4RT"},
+      triangles{"S3", "S3R", "S3RS", "S3T", "S3RT", "STRI3"}, second_order{"S8R", "S8R5", "S8RT", "S9R5", "STRI65"};
+  type.shell = true;
+  if (quadrilaterals.contains(type.name))
+    type.corners = 4;
+  else if (triangles.contains(type.name))
+    type.corners = 3;
+  else if (second_order.contains(type.name))
+    type.fault =
+        fmt::format("invalid element type {}, a shell of second order; expected {}", excerpt(type.name), element_types);
+  else
+    type.shell = false;
+  return type.shell;
+}
+
 }  // namespace
 
 AbaqusElementType element_type_of(const DeckCard& card) {
   AbaqusElementType type{.name = compact(card.value("TYPE"))};
   for (const std::string_view passed : {"T2D", "T3D", "CPS", "CPE", "CAX", "SFM3D"})
     if (type.name.starts_with(passed)) return type;
+  if (read_shell(type)) return type;
   const std::string_view digits = std::string_view(type.name).substr(std::min<std::size_t>(3, type.name.size()));
   const std::string_view count = digits.substr(0, digits.find_first_not_of("0123456789"));
   const bool solid = type.name.starts_with("C3D");
@@ -79,8 +102,8 @@ AbaqusElementType element_type_of(const DeckCard& card) {
   else if (solid && !count.empty())
     type.fault = fmt::format("invalid element type {} of second order; expected {}", excerpt(type.name), element_types);
   else
-    type.fault =
-        fmt::format("invalid element type '{}': not a solid; expected {}", excerpt(card.value("TYPE")), element_types);
+    type.fault = fmt::format("invalid element type '{}': no solid or shell that is read; expected {}",
+                             excerpt(card.value("TYPE")), element_types);
   return type;
 }
 
@@ -114,7 +137,7 @@ void add_abaqus_elements(const AbaqusDeck& deck, const DeckCard& card, AbaqusPar
   }
   for (std::size_t at = 0; at < card.data.size(); ++at) {
     const Row row = next_row(deck, card, static_cast<std::size_t>(type.corners), at);
-    const AbaqusElement element = element_in(deck, part, row, type.corners);
+    const AbaqusElement element = element_in(deck, part, row, type);
     need_new(deck, part, element.number, row.line);
     part.element_at.emplace(element.number, static_cast<LocalIndex>(part.elements.size()));
     part.elements.push_back(element);

@@ -5,10 +5,11 @@
 
 namespace brunt::io {
 
-/// Of an element card: nodes of a solid element of first order, or 0.
+/// Of an element card: nodes of a solid element or shell of first order, or 0.
 struct AbaqusElementType {
   std::string name;
   int corners = 0;
+  bool shell = false;
   std::string fault{};  ///< of an element that is not read; empty for lines and surfaces that mesh generators write
 };
 

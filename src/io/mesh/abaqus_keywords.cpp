@@ -17,6 +17,40 @@ DeckKeyword generator(std::string_view name, std::string_view cure) {
   return {.name = name, .effect = refused, .cure = cure};
 }
 
+/// Their data are not read.
+std::vector<DeckKeyword> sections() {
+  return {{.name = "SOLID SECTION",
+           .parameters = {{"ELSET"},
+                          {"COMPOSITE", none},
+                          {"CONTROLS", none},
+                          {"LAYUP", none},
+                          {"MATERIAL", none},
+                          {"NODALTHICKNESS", none},
+                          {"OFFSET", none},
+                          {"ORDER", none},
+                          {"ORIENTATION", none},
+                          {"REFNODE", none},
+                          {"STACKDIRECTION", none},
+                          {"SYMMETRIC", none}}},
+          {.name = "SHELL SECTION",
+           .parameters = {{"ELSET"},
+                          {"COMPOSITE", none},
+                          {"CONTROLS", none},
+                          {"DENSITY", none},
+                          {"LAYUP", none},
+                          {"MATERIAL", none},
+                          {"NODALTHICKNESS", none},
+                          {"OFFSET", none},
+                          {"ORIENTATION", none},
+                          {"POISSON", none},
+                          {"SECTIONINTEGRATION", none},
+                          {"SHELLTHICKNESS", none},
+                          {"STACKDIRECTION", none},
+                          {"SYMMETRIC", none},
+                          {"TEMPERATURE", none},
+                          {"THICKNESSMODULUS", none}}}};
+}
+
 /// Parameters by the Abaqus Keywords Guide of 2024; PASSWORD and INPUT of sets are of it too.
 std::vector<DeckKeyword> all_keywords() {
   constexpr std::string_view nodes = "the nodes written out under *NODE",
@@ -55,19 +89,6 @@ std::vector<DeckKeyword> all_keywords() {
                       {"REGIONTYPE", none},
                       {"SCALETHICK", none}}},
       {.name = "SYSTEM"},
-      {.name = "SOLID SECTION",
-       .parameters = {{"ELSET"},
-                      {"COMPOSITE", none},
-                      {"CONTROLS", none},
-                      {"LAYUP", none},
-                      {"MATERIAL", none},
-                      {"NODALTHICKNESS", none},
-                      {"OFFSET", none},
-                      {"ORDER", none},
-                      {"ORIENTATION", none},
-                      {"REFNODE", none},
-                      {"STACKDIRECTION", none},
-                      {"SYMMETRIC", none}}},
       {.name = "PART", .data = DeckData::none, .parameters = {{"NAME"}}},
       {.name = "END PART", .data = DeckData::none, .parameters = {{"NAME", none}}},
       {.name = "ASSEMBLY", .data = DeckData::none, .parameters = {{"NAME", none}}},
@@ -138,7 +159,11 @@ void check_unknown(const AbaqusDeck& deck, const DeckCard& card, const std::stri
 }  // namespace
 
 const std::vector<DeckKeyword>& deck_keywords() {
-  static const std::vector<DeckKeyword> all = all_keywords();
+  static const std::vector<DeckKeyword> all = [] {
+    std::vector<DeckKeyword> keywords = all_keywords();
+    for (const DeckKeyword& section : sections()) keywords.push_back(section);
+    return keywords;
+  }();
   return all;
 }
 

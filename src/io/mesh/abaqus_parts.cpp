@@ -15,6 +15,12 @@
 namespace brunt::io {
 namespace {
 
+/// Of solids or shells.
+bool is_section_of_elements(const DeckCard& card) {
+  const std::string word = compact(card.keyword);
+  return word == "SOLIDSECTION" || word == "SHELLSECTION";
+}
+
 class ModelReader {
  public:
   explicit ModelReader(const AbaqusDeck& deck) : deck_(deck), sets_(deck, model_) { model_.parts.emplace_back(); }
@@ -22,7 +28,7 @@ class ModelReader {
   AbaqusModel read() {
     for (const DeckCard& card : deck_.cards()) {
       if (is_read(deck_, card, model_.notes)) read_card(card);
-      if (card.keyword.ends_with(" SECTION") && card.keyword != "SOLID SECTION" && card.has("ELSET"))
+      if (card.keyword.ends_with(" SECTION") && !is_section_of_elements(card) && card.has("ELSET"))
         part().other_sections.emplace_back(card.label("ELSET").key, card.line);
     }
     if (inside_ != Inside::nothing)
@@ -60,7 +66,11 @@ class ModelReader {
       deck_.fail(card.line,
                  fmt::format("invalid *{} in an assembly; expected it in a part or an instance", card.keyword));
     if (word == "SYSTEM") frame_ = frame_of(deck_, card);
-    if (word == "SOLIDSECTION") home(card).sections.emplace_back(needed_label(deck_, card, "ELSET").key, card.line);
+    if (!is_section_of_elements(card)) return;
+    home(card).sections.emplace_back(needed_label(deck_, card, "ELSET").key, card.line);
+    if (word != "SOLIDSECTION")
+      model_.notes.push_back(fmt::format("{}: the data of *{} are not read; the key thickness of the part gives it",
+                                         deck_.place(card.line), card.keyword));
   }
 
   AbaqusPart& part() { return model_.parts[part_]; }

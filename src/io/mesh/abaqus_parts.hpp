@@ -17,6 +17,7 @@ namespace brunt::io {
 struct AbaqusElement {
   std::int64_t number = 0;
   int corners = 0, line = 0;
+  bool shell = false;
   std::array<LocalIndex, 8> nodes{};  ///< positions in the part
 };
 
@@ -53,10 +54,11 @@ struct AbaqusSurface {
   bool of_nodes = false;
   int line = 0;
   struct Piece : AbaqusChoice {
-    int face = 0;  ///< from 1, as in S1; 0: all faces that no other element shares; -1: a side of a shell
+    int face = 0;  ///< from 1, as in S1; 0: all faces that no other element shares; of shells see below
     int line = 0;
   };
   std::vector<Piece> pieces;
+  static constexpr int top = -1, bottom = -2, edge = -3;  ///< SPOS, SNEG; E1 to E4 and the ends of beams
 };
 
 /// Sets and surfaces of a part or of the assembly.
@@ -74,9 +76,9 @@ struct AbaqusPart : AbaqusScope {
   std::vector<AbaqusElement> elements;
   std::vector<AbaqusOther> others;
   std::unordered_map<std::int64_t, std::size_t> other_at;
-  std::vector<std::pair<std::string, int>> other_sections;  ///< as sections, of all kinds but solid ones
-  std::vector<std::pair<std::string, int>> sections;        ///< keys of the element sets of solid sections; their lines
-  std::vector<std::string> dealt;                           ///< of each element the key of its card's set
+  std::vector<std::pair<std::string, int>> other_sections;  ///< as sections, of all kinds but solids and shells
+  std::vector<std::pair<std::string, int>> sections;  ///< keys of the element sets of solids and shells; their lines
+  std::vector<std::string> dealt;                     ///< of each element the key of its card's set
 };
 
 struct AbaqusInstance {

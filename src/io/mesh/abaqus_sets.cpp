@@ -188,11 +188,14 @@ AbaqusChoice AbaqusSetReader::choice_of_set(const DeckLine& line, std::string_vi
 }
 
 int AbaqusSetReader::face_of(const DeckLine& line, std::string_view field) const {
-  static const std::set<std::string> shell_sides{"SPOS", "SNEG", "E1", "E2", "E3", "E4", "END1", "END2"};
+  static const std::set<std::string> edges{"E1", "E2", "E3", "E4", "END1", "END2"};
   const std::string face = upper_case(field);
-  if (shell_sides.contains(face)) return -1;
+  if (face == "SPOS") return AbaqusSurface::top;
+  if (face == "SNEG") return AbaqusSurface::bottom;
+  if (edges.contains(face)) return AbaqusSurface::edge;
   if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '6')
-    deck_.fail(line.number, fmt::format("invalid face '{}'; expected S1 to S6, or none", excerpt(field)));
+    deck_.fail(line.number,
+               fmt::format("invalid face '{}'; expected S1 to S6, of shells SPOS or SNEG, or none", excerpt(field)));
   return face[1] - '0';
 }
 

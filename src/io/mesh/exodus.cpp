@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "core/cells.hpp"
 #include "core/error.hpp"
@@ -88,10 +89,14 @@ struct Kind {
   int nodes, faces;
   Shape shape;
 };
-constexpr std::array<Kind, 4> kinds{{{"HEX", 8, 6, Shape::hex8},
+constexpr std::array<Kind, 8> kinds{{{"HEX", 8, 6, Shape::hex8},
                                      {"TET", 4, 4, Shape::tet4},
                                      {"WEDGE", 6, 5, Shape::hex8},
-                                     {"PYRAMID", 5, 5, Shape::hex8}}};
+                                     {"PYRAMID", 5, 5, Shape::hex8},
+                                     {"SHELL", 4, 2, Shape::quad4},
+                                     {"QUAD", 4, 2, Shape::quad4},
+                                     {"SHELL", 3, 2, Shape::tri3},
+                                     {"TRI", 3, 2, Shape::tri3}}};
 
 /// Null if it is none of them.
 const Kind* kind_of(const std::string& written, std::int64_t nodes) {
@@ -137,13 +142,14 @@ BlockRead read_block(const ExodusFile& file, std::int64_t id) {
   const Kind* const kind = kind_of(header.topology, header.num_nodes_per_entry);
   if (kind == nullptr) {
     const std::string shown = read.block.name.empty() ? "" : " (" + excerpt(read.block.name) + ")";
-    read.foreign = {
-        .name = read.block.name,
-        .id = id,
-        .type = header.topology,
-        .count = static_cast<GlobalIndex>(count),
-        .fault = fmt::format("{}: invalid block {}{}: elements {} with {} nodes; expected HEX8, TET4, WEDGE6, PYRAMID5",
-                             file.path(), id, shown, excerpt(header.topology), header.num_nodes_per_entry)};
+    read.foreign = {.name = read.block.name,
+                    .id = id,
+                    .type = header.topology,
+                    .count = static_cast<GlobalIndex>(count),
+                    .fault = fmt::format(
+                        "{}: invalid block {}{}: elements {} with {} nodes; expected HEX8, TET4, WEDGE6, PYRAMID5, "
+                        "SHELL4 or SHELL3",
+                        file.path(), id, shown, excerpt(header.topology), header.num_nodes_per_entry)};
     return read;
   }
   read.block.shape = kind->shape;
@@ -238,12 +244,31 @@ void read_node_sets(const ExodusFile& file, const ex_init_params& sizes, Mesh& m
   }
 }
 
-/// Side numbers of hexahedra, tetrahedra and pyramids run as ours; a wedge has no side where its hexahedron's third is.
+/// Side numbers of hexahedra, tetrahedra, pyramids and shells (1 the top, 2 the bottom) run as ours; a wedge has no
+/// side where its hexahedron's third is.
 int our_face(std::int64_t side, const Kind& kind) {
   if (side < 1 || side > kind.faces) return -1;
   const int face = static_cast<int>(side - 1);
   const bool is_wedge = kind.nodes == 6;
   return is_wedge && face >= 2 ? face + 1 : face;
+}
+
+/// After their two sides, shells number their edges: the corners of this edge, or -1.
+cells::Edge our_edge(std::int64_t side, const Kind& kind) {
+  const auto edges = cells::of(kind.shape).edges;
+  const std::int64_t edge = side - kind.faces - 1;
+  const bool is_edge = cells::is_surface(kind.shape) && edge >= 0 && edge < static_cast<std::int64_t>(edges.size());
+  return is_edge ? nth(edges, edge) : cells::Edge{-1, -1};
+}
+
+/// Edges of shells in a side set: their nodes are a node set of its name, unless there is one.
+void keep_edges(const std::string& name, const std::set<LocalIndex>& nodes, Mesh& mesh) {
+  if (nodes.empty()) return;
+  const bool fresh = mesh.node_sets.try_emplace(name, nodes.begin(), nodes.end()).second;
+  mesh.notes.push_back(fmt::format("side set {}: {}", excerpt(name),
+                                   fresh ? "its edges of shells are a node set"
+                                         : "its edges of shells are not read, since a node set has the same name"));
+  if (mesh.side_sets[name].empty()) mesh.side_sets.erase(name);
 }
 
 void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const std::vector<FileBlock>& blocks,
@@ -259,18 +284,24 @@ void read_side_sets(const ExodusFile& file, const ex_init_params& sizes, const s
     if (!elements.empty()) file.succeed(ex_get_set(file.id(), EX_SIDE_SET, id, elements.data(), sides.data()), what);
     const std::string& name = words[k];
     auto& set = content.mesh.side_sets[name];
+    std::set<LocalIndex> edge_nodes;
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const std::int64_t element = elements[i] - 1;
       if (element < 0 || element >= first.back())
         file.fail(fmt::format("out of range: {} has element {}; expected 1 to {}", what, elements[i], first.back()));
       const auto at =
           static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), element) - first.begin() - 1);
-      if (blocks[at].block == no_index)
+      if (blocks[at].block == no_index) {
         ++content.foreign_sides[name];
-      else
-        set.push_back(
-            {blocks[at].block, static_cast<LocalIndex>(element - first[at]), our_face(sides[i], *blocks[at].kind)});
+        continue;
+      }
+      const auto position = static_cast<LocalIndex>(element - first[at]);
+      const cells::Edge edge = our_edge(sides[i], *blocks[at].kind);
+      for (const int corner : edge)
+        if (corner >= 0) edge_nodes.insert(nth(content.mesh.blocks, blocks[at].block).element(position)[corner]);
+      if (edge[0] < 0) set.push_back({blocks[at].block, position, our_face(sides[i], *blocks[at].kind)});
     }
+    keep_edges(name, edge_nodes, content.mesh);
   }
 }
 

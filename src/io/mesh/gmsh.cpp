@@ -11,6 +11,7 @@
 
 #include "core/cells.hpp"
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "gmsh_sections.hpp"
 #include "left_out.hpp"
 #include "mesh/topology.hpp"
@@ -26,7 +27,7 @@ using mesh::Shape;
 using mesh::Side;
 using FaceKey = std::array<LocalIndex, 4>;
 
-/// Volume elements of one physical group (or, without one, of one entity) and one shape.
+/// Volume elements, or shells, of one physical group (or, without one, of one entity) and one shape.
 struct VolumeKey {
   bool grouped;
   std::int64_t number;
@@ -42,6 +43,14 @@ VolumeKey volume_of(const GmshElement& element) {
 std::string group_name(const GmshFile& file, int dimension, std::int64_t number) {
   const auto found = file.name.find({dimension, number});
   return found == file.name.end() ? "" : found->second;
+}
+
+/// The surfaces whose elements are shells, by (in a group?, number of the group or entity).
+using ShellSurfaces = std::set<std::pair<bool, std::int64_t>>;
+
+std::pair<bool, std::int64_t> group_of(const GmshElement& element) {
+  const bool grouped = element.physical != 0;
+  return {grouped, grouped ? element.physical : element.entity};
 }
 
 /// Physical groups in ascending number first, then entities outside them.
@@ -98,6 +107,42 @@ bool same_sense(const FaceKey& a, const FaceKey& b) {
 /// Of a physical surface; others bound entities and say nothing.
 bool is_surface(const GmshElement& element) {
   return element.dimension == 2 && element.physical != 0 && element.corners > 0;
+}
+
+/// Blocks of the shells of each surface and shape, in the order of the surfaces; its tops are a side set.
+void add_shells(const GmshFile& file, const ShellSurfaces& shells, Mesh& mesh) {
+  std::map<std::tuple<std::pair<bool, std::int64_t>, Shape>, std::size_t> position;
+  const auto key_of = [](const GmshElement& element) {
+    return std::tuple(group_of(element), element.corners == 3 ? Shape::tri3 : Shape::quad4);
+  };
+  const auto is_shell = [&](const GmshElement& element) {
+    return element.dimension == 2 && element.corners > 0 && shells.contains(group_of(element));
+  };
+  for (const GmshElement& element : file.elements)
+    if (is_shell(element)) position[key_of(element)] = 0;
+  GlobalIndex last_id = 0;
+  for (const Block& block : mesh.blocks) last_id = std::max(last_id, block.id);
+  for (const auto& [in_group, number] : shells)
+    if (in_group) last_id = std::max(last_id, number);
+  for (auto& [key, at] : position) {
+    const auto& [surface, shape] = key;
+    const auto& [grouped, number] = surface;
+    at = mesh.blocks.size();
+    Block block;
+    block.name = grouped ? group_name(file, 2, number) : fmt::format("surface_{}", number);
+    block.shape = shape;
+    const bool second = shape == Shape::tri3 && position.contains({surface, Shape::quad4});
+    const bool taken = std::ranges::find(mesh.blocks, number, &Block::id) != mesh.blocks.end();
+    block.id = grouped && !second && !taken ? number : ++last_id;
+    if (second) block.name = fmt::format("{}_tri3", block.name.empty() ? std::to_string(number) : block.name);
+    mesh.blocks.push_back(std::move(block));
+  }
+  for (const GmshElement& element : file.elements) {
+    if (!is_shell(element)) continue;
+    Block& block = mesh.blocks[position[key_of(element)]];
+    block.nodes.insert(block.nodes.end(), element.nodes.begin(), element.nodes.begin() + element.corners);
+    block.element_id.push_back(element.number);
+  }
 }
 
 /// The element side that a surface element lies on, found by its nodes; block -1 where there is none.
@@ -174,6 +219,37 @@ class ForeignBlocks {
   std::map<std::tuple<int, bool, std::int64_t, std::string>, std::size_t> at_;
 };
 
+/// A surface is of shells if none of its elements is the face of a volume element. Surfaces outside of groups count
+/// only in a file that has neither volumes nor groups of surfaces.
+ShellSurfaces shell_surfaces(const GmshFile& file, const SideFinder& finder) {
+  const auto any = [&](auto&& is) { return std::ranges::any_of(file.elements, is); };
+  const bool volumes = any([](const GmshElement&e) { return e.dimension == 3; }), groups = any(is_surface);
+  ShellSurfaces shells, faces;
+  for (const GmshElement& element : file.elements) {
+    if (element.dimension != 2 || element.corners == 0 || (element.physical == 0 && (volumes || groups))) continue;
+    const bool on_volume = volumes && finder.side_of(element).block >= 0;
+    (on_volume ? faces : shells).insert(group_of(element));
+  }
+  for (const auto& surface : faces) shells.erase(surface);
+  return shells;
+}
+
+/// Physical lines are node sets, in files with shells.
+void add_lines(const GmshFile& file, Mesh& mesh) {
+  std::map<std::int64_t, std::set<LocalIndex>> nodes;
+  for (const GmshElement& element : file.elements)
+    if (element.dimension == 1) nodes[element.physical].insert(element.nodes.begin(), element.nodes.begin() + 2);
+  std::vector<FileSet> sets;
+  for (const auto& [number, unused] : nodes) sets.push_back({number, group_name(file, 1, number)});
+  const std::vector<std::string> words = set_words("physical curve", sets, mesh.notes);
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    const std::set<LocalIndex>& found = nodes.at(sets[k].number);
+    if (!mesh.node_sets.try_emplace(words[k], found.begin(), found.end()).second)
+      mesh.notes.push_back(
+          fmt::format("physical curve {}: it is not read, since a surface has the same name", excerpt(words[k])));
+  }
+}
+
 /// Words of the physical surfaces that have elements, by their numbers.
 std::map<std::int64_t, std::string> surface_words(const GmshFile& file, std::vector<std::string>& notes) {
   std::map<std::int64_t, std::string> word;
@@ -187,13 +263,17 @@ std::map<std::int64_t, std::string> surface_words(const GmshFile& file, std::vec
 }
 
 void add_sets(const LineReader& in, const GmshFile& file, FileContent& content) {
-  const SideFinder finder(file, content.mesh);
+  const SideFinder of_volumes(file, content.mesh);
+  const ShellSurfaces shells = shell_surfaces(file, of_volumes);
+  add_shells(file, shells, content.mesh);
+  const SideFinder finder = shells.empty() ? of_volumes : SideFinder(file, content.mesh);
   const std::map<std::int64_t, std::string> set_word = surface_words(file, content.mesh.notes);
   ForeignBlocks foreign(in, file, set_word);
   const std::string of_order = fmt::format(" (of second order, or not supported); expected {}", gmsh_element_types);
   std::map<std::string, std::set<LocalIndex>> nodes;
   for (const GmshElement& element : file.elements) {
     const bool read = element.corners > 0;
+    if (element.dimension < 2) continue;
     if (!read && (element.dimension == 3 || element.physical != 0))
       foreign.add(element, fmt::format("invalid element type {}{}", element.type, of_order));
     if (!is_surface(element)) continue;
@@ -205,12 +285,13 @@ void add_sets(const LineReader& in, const GmshFile& file, FileContent& content) 
                       element.number));
       continue;
     }
-    foreign.add(element, "");
+    if (!shells.contains(group_of(element))) foreign.add(element, "");
     const std::string& name = set_word.at(element.physical);
     content.mesh.side_sets[name].push_back(side);
     nodes[name].insert(element.nodes.begin(), element.nodes.begin() + element.corners);
   }
   for (const auto& [name, set] : nodes) content.mesh.node_sets[name].assign(set.begin(), set.end());
+  if (!shells.empty()) add_lines(file, content.mesh);
   content.foreign = foreign.take();
 }
 
@@ -226,7 +307,10 @@ Mesh read_gmsh(const std::string& path, const std::vector<std::string>& ignore) 
   add_sets(in, file, content);
   const bool foreign_volume = std::ranges::any_of(content.foreign, [](const auto& b) { return b.dimension == 3; });
   if (content.mesh.blocks.empty() && !foreign_volume)
-    throw InputError(path + ": missing volume elements; expected tetrahedra, hexahedra, prisms or pyramids");
+    throw InputError(
+        path +
+        ": missing volume elements and shells; expected tetrahedra, hexahedra, prisms or pyramids, or triangles "
+        "or quadrilaterals of shells");
   return leave_out(path, std::move(content), ignore);
 }
 

@@ -78,7 +78,7 @@ class Sections {
     if (!std::ranges::is_sorted(order, {}, number)) std::ranges::stable_sort(order, {}, number);
     for (std::size_t k = 1; k < order.size(); ++k) {
       const GmshElement &one = file_.elements[order[k - 1]], &other = file_.elements[order[k]];
-      const bool in_two_groups = one.dimension == 2 && one.type == other.type && one.nodes == other.nodes;
+      const bool in_two_groups = one.dimension <= 2 && one.type == other.type && one.nodes == other.nodes;
       if (one.number == other.number && !in_two_groups)
         in_.fail_at(other.line, fmt::format("invalid element {}: another element has this number (line {}); expected a "
                                             "number of its own for each element",
@@ -231,6 +231,10 @@ class Sections {
     if (!in_.rest().empty())
       in_.fail(fmt::format("invalid line: too many nodes; expected {} for this element type", kind.nodes));
   }
+  /// Lines matter as groups, which are edges of shells.
+  static bool is_kept(const GmshElement& element) {
+    return element.dimension >= 2 || (element.dimension == 1 && element.physical != 0 && element.corners > 0);
+  }
   void read_elements_2() {
     in_.need_line("the number of elements");
     for (std::int64_t left = in_.count("the number of elements"); left > 0; --left) {
@@ -246,7 +250,7 @@ class Sections {
         if (t == 1) element.entity = tag;
       }
       read_corners(element, kind);
-      if (kind.dimension >= 2) file_.elements.push_back(element);
+      if (is_kept(element)) file_.elements.push_back(element);
     }
   }
   void read_elements_4() {
@@ -271,7 +275,7 @@ class Sections {
         read_corners(element, kind);
         for (const std::int64_t group : groups) {
           element.physical = group;
-          if (dimension >= 2) file_.elements.push_back(element);
+          if (is_kept(element)) file_.elements.push_back(element);
         }
       }
     }

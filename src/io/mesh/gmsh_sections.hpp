@@ -21,12 +21,13 @@ struct GmshElement {
 };
 
 constexpr std::string_view gmsh_element_types =
-    "first-order tetrahedra, hexahedra, prisms and pyramids, with triangles and quadrilaterals on their faces";
+    "first-order tetrahedra, hexahedra, prisms and pyramids, with triangles and quadrilaterals on their faces or as "
+    "shells";
 
 struct GmshFile {
   std::vector<Vec3> coordinates;
   std::vector<std::int64_t> node_number;
-  std::vector<GmshElement> elements;                         ///< surfaces and volumes; one entry a physical surface
+  std::vector<GmshElement> elements;                         ///< one entry a group; of lines those in groups
   std::map<std::pair<int, std::int64_t>, std::string> name;  ///< of physical groups by (dimension, number)
 };
 

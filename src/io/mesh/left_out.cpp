@@ -64,10 +64,11 @@ class Leaver {
     drop_foreign_sets();
     drop_blocks();
     if (content_.mesh.blocks.empty() && !content_.mesh.left_out.empty())
-      throw InputError(path_ + (ignore.empty() ? ": missing solid elements: no block of the file has any; expected at "
-                                                 "least one block of solid elements"
-                                               : ": invalid ignore: it excludes every block; expected at least one "
-                                                 "block of solid elements"));
+      throw InputError(path_ + (ignore.empty()
+                                    ? ": missing elements: no block of the file has solid elements or shells; "
+                                      "expected at least one"
+                                    : ": invalid ignore: it excludes every block; expected at least one "
+                                      "block of solid elements or shells"));
     if (!ignore.empty()) drop_nodes();
     return std::move(content_.mesh);
   }

@@ -7,9 +7,11 @@
 //   /mesh/coordinates         [nodes][3] undeformed [length]
 //   /mesh/node_id             [nodes] the input's own numbers
 //   /mesh/connectivity        [elements][nodes of an element] where all blocks have one shape, else one stream of
-//                             XDMF Mixed cells: type (6 tetrahedron, 9 hexahedron), nodes, type, nodes, ...
+//                             XDMF Mixed cells: type (4 triangle, 5 quadrilateral, 6 tetrahedron, 9 hexahedron), nodes,
+//                             type, nodes, ...
 //   /mesh/element_block       [elements] index of the block
-//   /mesh/block_B             attributes name, part, id, nodes_per_element, first, count (of its elements)
+//   /mesh/block_B             attributes name, part, id, shape (hex8, ...), nodes_per_element, first, count (of
+//                             its elements)
 //   /record_R/node/FIELD      [nodes] or [nodes][components]
 //   /record_R/element/FIELD   [elements] or [elements][components]
 //   /record_R                 attributes step, time [time]: written last, a record without them is incomplete

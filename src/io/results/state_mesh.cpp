@@ -12,7 +12,20 @@
 namespace brunt::io {
 namespace {
 
-constexpr double xdmf_tetrahedron = 6, xdmf_hexahedron = 9;
+/// Types of cells in XDMF's Mixed topology.
+double xdmf_type(mesh::Shape shape) {
+  switch (shape) {
+    case mesh::Shape::tri3:
+      return 4;
+    case mesh::Shape::quad4:
+      return 5;
+    case mesh::Shape::tet4:
+      return 6;
+    case mesh::Shape::hex8:
+      break;
+  }
+  return 9;
+}
 
 /// Gives the memory back, which `= {}` of a vector does not.
 template <class T>
@@ -62,7 +75,7 @@ void write_integers(Hdf5File& file, const std::string& table, GlobalIndex offset
 void write_cells(Hdf5File& file, GlobalIndex offset, const comm::BlockRedistribution& redistribution,
                  const StateBlock& block) {
   const auto nodes = static_cast<std::size_t>(mesh::nodes_per_element(block.shape));
-  const double type = block.shape == mesh::Shape::hex8 ? xdmf_hexahedron : xdmf_tetrahedron;
+  const double type = xdmf_type(block.shape);
   write_integers<LocalIndex>(file, "/mesh/connectivity", offset, redistribution, block.element.size(),
                              static_cast<int>(nodes + 1), [&](std::size_t i, std::size_t c) {
                                return c == 0 ? type : static_cast<double>(block.nodes[i * nodes + c - 1]);
@@ -145,6 +158,7 @@ void StateFile::write_connectivity(StateMesh& mesh) {
     file_->set_attribute(group, "name", block.name);
     if (!block.part.empty()) file_->set_attribute(group, "part", block.part);
     file_->set_attribute(group, "id", block.id);
+    file_->set_attribute(group, "shape", std::string(cells::of(block.shape).name));
     file_->set_attribute(group, "nodes_per_element", GlobalIndex{mesh::nodes_per_element(block.shape)});
     file_->set_attribute(group, "first", first);
     file_->set_attribute(group, "count", counts[b]);

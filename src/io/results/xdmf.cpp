@@ -33,13 +33,31 @@ std::string attribute(const StateRecord& record, const StateRecord::Table& table
 
 }  // namespace
 
+namespace {
+
+const char* xdmf_name(mesh::Shape shape) {
+  switch (shape) {
+    case mesh::Shape::tri3:
+      return "Triangle";
+    case mesh::Shape::quad4:
+      return "Quadrilateral";
+    case mesh::Shape::tet4:
+      return "Tetrahedron";
+    case mesh::Shape::hex8:
+      break;
+  }
+  return "Hexahedron";
+}
+
+}  // namespace
+
 std::string xdmf_topology(const XdmfCells& cells, GlobalIndex elements) {
   const int width = mesh::nodes_per_element(cells.shape);
   const std::string dimensions =
       cells.mixed ? fmt::format("{}", cells.stream_length) : fmt::format("{} {}", elements, width);
-  const char* one_shape = cells.shape == mesh::Shape::hex8 ? "Hexahedron" : "Tetrahedron";
   return fmt::format(R"(<Topology TopologyType="{}" NumberOfElements="{}">{}</Topology>)",
-                     cells.mixed ? "Mixed" : one_shape, elements, data_item("/mesh/connectivity", "Int", dimensions));
+                     cells.mixed ? "Mixed" : xdmf_name(cells.shape), elements,
+                     data_item("/mesh/connectivity", "Int", dimensions));
 }
 
 std::string xdmf_text(const std::string& topology, GlobalIndex nodes, GlobalIndex elements,

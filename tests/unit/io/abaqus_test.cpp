@@ -205,7 +205,7 @@ TEST_CASE("abaqus: what is wrong is told with its line") {
   CHECK_THAT(with("*Element, type=C3D4\n31, 1, 2, 3, 5, 6\n"),
              at(next + 1) && Contains("invalid element 31 of 5 nodes; expected 4 nodes"));
   CHECK_THAT(with("*Element, type=C3D10\n"), at(next) && Contains("second order") && Contains("C3D8"));
-  CHECK_THAT(with("*Element, type=S4R\n"), at(next) && Contains("invalid element type 'S4R': not a solid"));
+  CHECK_THAT(with("*Element, type=S8R\n"), at(next) && Contains("invalid element type S8R, a shell of second order"));
   CHECK_THAT(with("*Element\n"), at(next) && Contains("element type ''"));
   CHECK_THAT(with("*Include, input=other.inp\n"),
              at(next) && Contains("included file 'other.inp'") && Contains("does not exist"));

@@ -198,9 +198,10 @@ TEST_CASE("coordinates are read wherever they stand in the file", "[exodus]") {
 TEST_CASE("an Exodus mesh that cannot be used is refused by name", "[exodus]") {
   const TemporaryFile file;
   write(file.path, {.first_type = "SHELL8"});
-  CHECK(fault_of(file.path) == file.path +
-                                   ": invalid block 10 (cube): elements SHELL8 with 8 nodes; expected HEX8, TET4, "
-                                   "WEDGE6, PYRAMID5, or ignore: [cube] beside file to exclude the block");
+  CHECK(fault_of(file.path) ==
+        file.path +
+            ": invalid block 10 (cube): elements SHELL8 with 8 nodes; expected HEX8, TET4, "
+            "WEDGE6, PYRAMID5, SHELL4 or SHELL3, or ignore: [cube] beside file to exclude the block");
   write(file.path, {.dimensions = 2});
   CHECK(fault_of(file.path) == file.path + ": invalid number of dimensions, 2; expected 3");
   write(file.path, {.bad_corner = 16});

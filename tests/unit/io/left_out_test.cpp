@@ -26,13 +26,13 @@ std::string cube_nodes(int first, double x, bool comma) {
   return text;
 }
 
-/// Two cubes "one" and "two", a shell on two free nodes and two of the first cube, a point mass, trusses and a
-/// quadratic element; sets that reach into all of them.
+/// Two cubes "one" and "two", a shell of second order on two free nodes and two of the first cube, a point mass,
+/// trusses and a quadratic element; sets that reach into all of them.
 std::string abaqus() {
   return "*Node\n" + cube_nodes(1, 0, true) + cube_nodes(11, 2, true) + "21, 0, 0, 5\n22, 1, 0, 5\n" +
          "*Element, type=C3D8, elset=one\n1, 1, 2, 3, 4, 5, 6, 7, 8\n"
          "*Element, type=C3D8R, elset=two\n2, 11, 12, 13, 14, 15, 16, 17, 18\n"
-         "*Element, type=S4R\n3, 5, 6, 22, 21\n"
+         "*Element, type=S8R\n3, 5, 6, 22, 21\n"
          "*Elset, elset=skin\n3\n"
          "*Element, type=MASS, elset=ball\n4, 21\n"
          "*Element, type=T3D2, elset=rods\n5, 21, 22\n"
@@ -42,17 +42,17 @@ std::string abaqus() {
          "*Shell Section, elset=skin, material=m\n0.1,\n";
 }
 
-/// The same in Gmsh 2.2: volumes 1 "one" and 2 "two", a shell 7 "skin" that lies on no volume, a quadratic volume 3.
+/// The same in Gmsh 2.2: volumes 1 "one" and 2 "two", a quadratic shell 7 "skin", a quadratic volume 3.
 std::string gmsh() {
   return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n5\n3 1 \"one\"\n3 2 \"two\"\n2 7 \"skin\"\n2 8 "
          "\"sides\"\n1 "
          "9 \"edge\"\n$EndPhysicalNames\n$Nodes\n18\n" +
          cube_nodes(1, 0, false) + cube_nodes(11, 2, false) + "21 0 0 5\n22 1 0 5\n$EndNodes\n$Elements\n7\n" +
-         "1 5 2 1 1 1 2 3 4 5 6 7 8\n2 5 2 2 2 11 12 13 14 15 16 17 18\n3 3 2 7 3 5 6 22 21\n"
+         "1 5 2 1 1 1 2 3 4 5 6 7 8\n2 5 2 2 2 11 12 13 14 15 16 17 18\n3 10 2 7 3 5 6 22 21\n"
          "4 3 2 8 4 1 4 3 2\n5 3 2 8 5 15 16 17 18\n6 1 2 9 1 21 22\n7 11 2 3 3 1 2 3 4 5 6 7 8 11 12\n$EndElements\n";
 }
 
-/// The same in Exodus: blocks 10 "one", 20 "two", 30 "skin" of SHELL4, 40 of one-node SPHERE between them.
+/// The same in Exodus: blocks 10 "one", 20 "two", 30 "skin" of MEMBRANE4, 40 of one-node SPHERE between them.
 void write_exodus(const std::string& path) {
   int word = 8, file_word = 8;
   const int id = ex_create(path.c_str(), EX_CLOBBER, &word, &file_word);
@@ -80,7 +80,7 @@ void write_exodus(const std::string& path) {
     if (*name != '\0') ex_put_name(id, EX_ELEM_BLOCK, block, name);
   };
   put(10, "HEX8", 1, 8, one, "one");
-  put(30, "SHELL4", 1, 4, skin, "skin");
+  put(30, "MEMBRANE4", 1, 4, skin, "skin");
   put(40, "SPHERE", 2, 1, balls, "");
   put(20, "HEX8", 1, 8, two, "two");
   const std::vector<int> ends{1, 9, 17}, elements{1, 2, 5}, sides{5, 1, 6}, numbers{101, 102, 103, 104, 105};
@@ -121,13 +121,13 @@ TEST_CASE("a block that is not read is a fault that names the remedy", "[left_ou
   const auto of_inp = faults_of(inp.path, {}), of_msh = faults_of(msh.path, {}), of_exo = faults_of(exo.path, {});
   CHECK(of_inp.size() == 3);
   for (const char* name : {"skin", "ball", "fine"}) CHECK(says(of_inp, fmt::format("ignore: [{}]", name)));
-  CHECK(says(of_inp, "mesh:24: invalid element type 'S4R': not a solid"));
+  CHECK(says(of_inp, "mesh:24: invalid element type S8R, a shell of second order"));
   CHECK(of_msh.size() == 2);
-  CHECK(says(of_msh, "invalid surface element 3: not a face of a volume element"));
+  CHECK(says(of_msh, "invalid element type 10"));
   CHECK(says(of_msh, "ignore: [skin]"));
   CHECK(says(of_msh, "ignore: [3]"));
   CHECK(of_exo.size() == 2);
-  CHECK(says(of_exo, "invalid block 30 (skin): elements SHELL4 with 4 nodes"));
+  CHECK(says(of_exo, "invalid block 30 (skin): elements MEMBRANE4 with 4 nodes"));
   CHECK(says(of_exo, "ignore: [40]"));
   CHECK(faults_of(exo.path, {"skin"}).size() == 1);
 }

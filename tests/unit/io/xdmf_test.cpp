@@ -26,3 +26,8 @@ TEST_CASE("xdmf: a stream of mixed cells has one dimension") {
   CHECK_THAT(io::xdmf_topology({true, mesh::Shape::hex8, 2 * 9 + 5}, 3),
              Contains(R"(TopologyType="Mixed" NumberOfElements="3")") && Contains(R"(Dimensions="23")"));
 }
+
+TEST_CASE("xdmf: shells") {
+  CHECK_THAT(io::xdmf_topology({false, mesh::Shape::quad4, 0}, 7), Contains(R"("Quadrilateral" NumberOfElements="7")"));
+  CHECK_THAT(io::xdmf_topology({false, mesh::Shape::tri3, 0}, 7), Contains(R"("Triangle" NumberOfElements="7")"));
+}
