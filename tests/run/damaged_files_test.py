@@ -10,7 +10,7 @@ from files_test import Files, tiny_meshes
 from plain_files import FORMS, SCENE, bar, msh2, msh4
 from run_test import variants_asked
 
-VARIANTS = 10
+VARIANTS = 5
 
 
 def volume(nodes, cube):

@@ -12,7 +12,7 @@ import h5py
 import numpy
 
 import driven_scenes
-from run_test import Program
+from run_test import Program, of_all
 
 SEEDS = range(len(driven_scenes.KINDS))
 MASSES = range(10)
@@ -219,7 +219,7 @@ class Named(Driven):
 
     def test_same_bits_on_any_number_of_ranks_and_after_a_restart(self):
         hashes, text = [], SQUEEZED.replace("output: {every: 1.0e-3}", "output: {every: 0.1}")
-        for ranks in (1, 2, 3, 4):
+        for ranks in of_all((1, 2, 3, 4), (1, 3)):
             self.stops(f"r{ranks}", text, ranks=ranks)
             hashes.append((self.summary(f"r{ranks}")["steps"], self.summary(f"r{ranks}")["state_hash"]))
         self.assertEqual(len(set(hashes)), 1, hashes)

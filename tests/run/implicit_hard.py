@@ -3,14 +3,11 @@
 twin, and meshes of quadrilaterals that are drawn out along y."""
 import os
 import re
-import sys
 
 import true_depth
+from run_test import of_all
 from scene_program import SceneProgram
 
-LONG = "--long" in sys.argv
-if LONG:
-    sys.argv.remove("--long")
 NODES, EDGES, GIVEN, BALANCE = 1e-2, 0.05, 1e-3, 1e-6  # criteria for all cases, unless a case names its own
 DIFFERENCE = 0.05  # of an element, of two ways to measure a depth
 WORSE = 1.3  # times the figure of a missed criterion: it gets no worse
@@ -41,14 +38,9 @@ def extruded(blocks, depth, layers=1):
 
 
 def with_states(scene):
-    """The scene with ten states beside the first one; the program itself looks after every step (deepest_penetration)."""
+    """The scene with four states beside the first one, ten with --long; the program itself looks after every step (deepest_penetration)."""
     end = float(re.findall(r"run: \{end: ([0-9.e-]+)\}", scene)[-1])
-    return f"{scene}output: {{every: {0.1 * end}, fields: [displacement]}}\n"
-
-
-def of_all(cases, few):
-    """All of them with --long, otherwise those that stand for them."""
-    return cases if LONG else few
+    return f"{scene}output: {{every: {of_all(0.1, 0.25) * end}, fields: [displacement]}}\n"
 
 
 def largest_energy(rows):

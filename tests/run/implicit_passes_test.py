@@ -12,7 +12,7 @@ import numpy
 from run_test import variants_asked
 from scene_program import SceneProgram
 
-VARIANTS = 5
+VARIANTS = 3
 SCENE = """units: none
 mesh:
 {boxes}

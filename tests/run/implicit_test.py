@@ -7,7 +7,7 @@ import glob
 import os
 import unittest
 
-from run_test import Program
+from run_test import Program, of_all
 
 # Hexahedra and tetrahedra-free: a block of two parts that share nodes' places only by a gap, under pressure, weight and a drive.
 BENT = """\
@@ -40,13 +40,13 @@ class Implicit(Program):
     def test_same_bits_on_any_number_of_ranks(self):
         for model, scheme in (("neo_hookean", "contact_implicit"), ("j2", "static"), ("j2", "hht")):
             self.write("bent.yaml", scene(model, scheme))
-            for ranks in (1, 2, 3, 4):
+            for ranks in of_all((1, 2, 3, 4), (1, 3)):
                 self.run_scene(ranks, "bent.yaml", "--out", f"out{ranks}", "--force")
             first = self.summary("out1")
             self.assertGreaterEqual(first["steps"], 10)
             self.assertGreater(first["implicit"]["iterations_mean"], 1.5)
             self.assertLess(first["momentum_error"], 1e-9)
-            for ranks in (2, 3, 4):
+            for ranks in of_all((2, 3, 4), (3,)):
                 self.assertEqual(self.summary(f"out{ranks}")["state_hash"], first["state_hash"])
                 self.assertEqual(self.text(f"out{ranks}", "history.csv"), self.text("out1", "history.csv"))
             if scheme != "hht":
@@ -109,7 +109,7 @@ class Implicit(Program):
     def test_a_parallel_solver_agrees(self):
         self.write("bent.yaml", scene())
         self.run_scene(1, "bent.yaml", "--out", "direct")
-        for ranks in (1, 2, 3):
+        for ranks in of_all((1, 2, 3), (1, 3)):
             self.run_scene(ranks, "bent.yaml", "--out", "mumps", "--force", "--set", "solver.linear=mumps")
             self.assertFalse(self.summary("mumps")["implicit"]["same_bits_on_any_ranks"])
             # of the history the total is rounding alone

@@ -10,7 +10,7 @@ import unittest
 import numpy
 
 import true_depth
-from run_test import variants_asked
+from run_test import of_all, variants_asked
 from scene_program import SceneProgram
 from self_meshes import bellows, box, deck
 
@@ -177,8 +177,9 @@ class SelfMortar(SceneProgram):
 
     def test_two_boxes_of_one_part_have_the_forces_of_two_parts(self):
         # the finer box is the slave, of boxes alike the first; stiffness of penalties and of sticking is E over the mean edge of the part
-        for form, alike in (("friction: 0", False), ("multiplier: standard", False), ("consistent: true", False), ("friction: 0", True),
-                            ("friction: 0.3", True), ("enforce: penalty", True), ("enforce: penalty, friction: 0.3", True)):
+        forms = (("friction: 0", False), ("multiplier: standard", False), ("consistent: true", False), ("friction: 0", True),
+                 ("friction: 0.3", True), ("enforce: penalty", True), ("enforce: penalty, friction: 0.3", True))
+        for form, alike in of_all(forms, forms[1:3] + forms[4::2]):
             with self.subTest(form=form, alike=alike):
                 slave = "low" if alike else "top"
                 pair, itself = self.blocks(f"{form}, slave: {slave}", 2, alike), self.blocks(form, 1, alike)
@@ -210,7 +211,7 @@ class SelfMortar(SceneProgram):
         return self.go(BELLOWS_EXPLICIT.replace("MU", mu), out="explicit"), self.go(BELLOWS_STATIC.replace("MU", mu))
 
     def test_a_bellows_has_the_force_of_its_explicit_twin(self):
-        for mu in ("0", "0.3"):
+        for mu in of_all(("0", "0.3"), ("0.3",)):
             explicit, static = self.pressed(mu)
             for time in (0.6, 0.72, 0.84, 0.96):
                 slow = mean_around(explicit, "head.y", 40 * time, 0.5)
@@ -221,7 +222,7 @@ class SelfMortar(SceneProgram):
     def test_the_same_bits_on_any_ranks_and_after_a_restart(self):
         self.write("bellows.inp", deck([("seal", *bellows(2, 6, 2, 1, 0.5))]))
         self.write("scene.yaml", BELLOWS_STATIC.replace("MU", "0.3").replace("step: 0.04", "step: 0.1"))
-        for ranks in (1, 2, 3, 4):
+        for ranks in of_all((1, 2, 3, 4), (1, 3)):
             self.run_scene(ranks, "scene.yaml", "--out", f"out{ranks}")
             self.assertEqual(self.summary(f"out{ranks}")["state_hash"], self.summary("out1")["state_hash"])
             self.assertEqual(self.text(f"out{ranks}", "history.csv"), self.text("out1", "history.csv"))
@@ -254,7 +255,7 @@ class SelfMortar(SceneProgram):
     def test_nothing_passes(self):
         stopped = 0
         for scheme in ("contact_implicit", "static"):
-            for seed in range(1, 2 * VARIANTS + 1):
+            for seed in range(1, of_all(2, 1) * VARIANTS + 1):
                 with self.subTest(seed=seed, scheme=scheme):
                     mesh, scene, axis, apart = thrown(seed, scheme)
                     self.write("thrown.inp", mesh)

@@ -5,7 +5,7 @@ ties, what such contact may not ask for. Needs BRUNT and BRUNT_RUN (scripts/run)
 import csv
 import unittest
 
-from run_test import Program
+from run_test import Program, of_all
 
 # A block thrown on another, both free: meshes do not match, and the upper one comes askew and spinning.
 IMPACT = """\
@@ -129,10 +129,10 @@ class Mortar(Program):
 
     def test_an_impact_on_any_number_of_ranks(self):
         self.write("impact.yaml", IMPACT)
-        for ranks in (1, 2, 3, 4):
+        for ranks in of_all((1, 2, 3, 4), (1, 3)):
             self.run_scene(ranks, "impact.yaml", "--out", f"out{ranks}")
         first = self.summary("out1")
-        for ranks in (2, 3, 4):
+        for ranks in of_all((2, 3, 4), (3,)):
             self.assertEqual(self.summary(f"out{ranks}")["state_hash"], first["state_hash"])
             self.assertEqual(self.summary(f"out{ranks}")["contact"]["steps"], first["contact"]["steps"])
             self.assertEqual(self.text(f"out{ranks}", "history.csv"), self.text("out1", "history.csv"))

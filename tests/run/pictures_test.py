@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image
 
 import scenes
-from run_test import PATIENCE, RUN, Program
+from run_test import PATIENCE, RUN, Program, of_all
 
 SCRIPTS = os.path.dirname(RUN)
 
@@ -50,17 +50,19 @@ class Pictures(Program):
         self.assert_refused(["unknown component"], "render", "out", "--field", "gap.x")
 
     def test_options_that_make_no_sense(self):
-        for phrases, arguments in ((["invalid plane 'x'", "x=0.01"], ("--clip", "x")), (["invalid plane"], ("--clip", "w=3")),
-                                   (["invalid plane"], ("--clip", "x=nan")), (["must not be zero"], ("--clip", "0,0,0/0,0,0")),
-                                   (["invalid plane"], ("--clip", "0,0/1,0,0")), (["unknown part lid", "rod, table"], ("--hide", "lid")),
-                                   (["unknown part lid"], ("--only", "rod,lid")), (["all parts are hidden"], ("--hide", "rod,table")),
-                                   (["together with"], ("--hide", "rod", "--only", "rod")), (["empty name"], ("--hide", "rod,")),
-                                   (["unknown view 'sky'", "iso"], ("--view", "iso,sky")), (["several views"], ("--view", "iso,top", "--azimuth", "3")),
-                                   (["--time together with --film"], ("--film", "--time", "0")), (["invalid name of a film", ".gif"], ("--film", "-o", "x.mp4")),
-                                   (["--fps 0"], ("--film", "--fps", "0")), (["--size"], ("--view", "iso,top", "--size", "9000", "100"))):
+        of_render = ((["invalid plane 'x'", "x=0.01"], ("--clip", "x")), (["invalid plane"], ("--clip", "w=3")),
+                     (["invalid plane"], ("--clip", "x=nan")), (["must not be zero"], ("--clip", "0,0,0/0,0,0")),
+                     (["invalid plane"], ("--clip", "0,0/1,0,0")), (["unknown part lid", "rod, table"], ("--hide", "lid")),
+                     (["unknown part lid"], ("--only", "rod,lid")), (["all parts are hidden"], ("--hide", "rod,table")),
+                     (["together with"], ("--hide", "rod", "--only", "rod")), (["empty name"], ("--hide", "rod,")),
+                     (["unknown view 'sky'", "iso"], ("--view", "iso,sky")), (["several views"], ("--view", "iso,top", "--azimuth", "3")),
+                     (["--time together with --film"], ("--film", "--time", "0")), (["invalid name of a film", ".gif"], ("--film", "-o", "x.mp4")),
+                     (["--fps 0"], ("--film", "--fps", "0")), (["--size"], ("--view", "iso,top", "--size", "9000", "100")))
+        for phrases, arguments in of_all(of_render, of_render[::4]):
             self.assert_refused(phrases, "render", "out", *arguments)
-        for phrases, arguments in ((["--columns", "from 1 to 6"], ("--columns", "0")), (["from 1 to 6"], ("--columns", "many")),
-                                   (["unknown group of panels 'x'", "probes"], ("--panels", "x")), (["missing columns"], ("--panels", "probes"))):
+        of_plot = ((["--columns", "from 1 to 6"], ("--columns", "0")), (["from 1 to 6"], ("--columns", "many")),
+                   (["unknown group of panels 'x'", "probes"], ("--panels", "x")), (["missing columns"], ("--panels", "probes")))
+        for phrases, arguments in of_all(of_plot, of_plot[1:3]):
             self.assert_refused(phrases, "plot", "out", *arguments)
 
     def picture(self, *options, script="render", name="x.png"):

@@ -9,7 +9,7 @@ import unittest
 import h5py
 import numpy
 
-from run_test import BRUNT, PATIENCE, Program
+from run_test import BRUNT, PATIENCE, Program, of_all
 
 # Two cubes that overlap by 0.1 along x.
 CUBES = """\
@@ -101,7 +101,7 @@ class Place(Program):
 
     def test_two_planes_at_any_angle_leave_their_line_of_intersection(self):
         """The planes hold the left cube along x and y, in any order, and so does an oblique plane with a support along x."""
-        for degrees in (20, 60, 135):
+        for degrees in of_all((20, 60, 135), (60,)):
             normal = [-round(numpy.sin(numpy.radians(degrees)), 6), round(numpy.cos(numpy.radians(degrees)), 6), 0]
             oblique, plane = f"{{point: [0, 0, 0], normal: {normal}}}", "{point: [0, 0, 0], normal: [0, 1, 0]}"
             for held in (f"symmetry: [{plane}, {oblique}]\n", f"symmetry: [{oblique}, {plane}]\n",
@@ -163,7 +163,7 @@ mesh:
 
     def test_a_neighbour_pushed_aside_by_another_part_slides(self):
         """A block stands in a fixed wall, and a lid overlaps the block a little, across that direction: nothing is pulled out."""
-        for variant in range(10):
+        for variant in range(of_all(10, 4)):
             dice = random.Random(f"lid {variant}")
             wide, high, thick = dice.uniform(8, 30), dice.uniform(8, 30), dice.uniform(2, 8)
             deep = dice.uniform(0.5, 2)

@@ -8,9 +8,9 @@ import unittest
 
 import numpy
 
-from run_test import Program, variants_asked
+from run_test import Program, of_all, variants_asked
 
-VARIANTS = 10
+VARIANTS = 5
 END = 0.2
 AXES = numpy.eye(3)
 NAMES = ("rx", "ry", "rz")
@@ -206,7 +206,7 @@ class Reactions(Program):
     def test_the_same_bits_on_any_ranks_and_over_a_restart(self):
         some = bodies(("axle", "driven", "two driven", "accelerated", "one held", "driven and free"), 47, 2)
         self.write("scene.yaml", scene_of(some, 2e-3))
-        for ranks in (1, 2, 3, 4):
+        for ranks in of_all((1, 2, 3, 4), (1, 4)):
             self.run_scene(ranks, "scene.yaml", "--out", f"r{ranks}")
             self.assertEqual(self.summary(f"r{ranks}")["state_hash"], self.summary("r1")["state_hash"])
             self.assertEqual(self.text(f"r{ranks}", "history.csv"), self.text("r1", "history.csv"))

@@ -24,7 +24,7 @@ from scene_features import covering, features
 
 BRUNT, RUN, CASES = os.environ["BRUNT"], os.environ["BRUNT_RUN"], os.environ["BRUNT_CASES"]
 STEPS = 450  # of a run in short, with --all: nearly all cases have met their wall or each other by then
-FEW_STEPS = 225  # the same without --all
+FEW_STEPS = 110  # the same without --all
 IMPLICIT_STEPS = 8  # the same of implicit scenes, whose steps are some hundred times as long and cost as much more
 MOST_STEPS = 3600  # of those that have not
 PATIENCE = 600  # [s] for one run

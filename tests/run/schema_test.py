@@ -19,6 +19,7 @@ import yaml
 ROOT = os.path.dirname(os.environ["BRUNT_CASES"])
 sys.path.insert(0, os.path.join(ROOT, "tests", "input"))
 import wrong_inputs  # noqa: E402
+from run_test import of_all  # noqa: E402
 
 # what a schema knows too, unlike names of the scene and values that depend on each other
 KNOWN = re.compile(r"unknown key|out of range: [-+.\w]+; expected an? (number|integer)")
@@ -59,7 +60,7 @@ class Schema(unittest.TestCase):
         self.assertEqual(self.faults(yaml.load(wrong_inputs.GOOD, Loader=Numbers)), [])
 
     def test_wrong_scenes(self):
-        refused = 0
+        refused = accepted = 0
         for wrong in wrong_inputs.ALL:
             if wrong.command != "check" or wrong.arguments or wrong.files:
                 continue
@@ -70,7 +71,9 @@ class Schema(unittest.TestCase):
                 continue
             if self.faults(scene):
                 refused += 1
-            else:
+                continue
+            accepted += 1
+            if accepted % of_all(1, 4) == 0:
                 with self.subTest(wrong.name):
                     self.assertNotRegex(self.told(text), KNOWN)
         self.assertGreater(refused, 70)

@@ -5,7 +5,7 @@ within the phase, the exit code where nothing comes to rest. Needs BRUNT and BRU
 import csv
 import unittest
 
-from run_test import Program
+from run_test import Program, of_all
 
 PILE = """\
 units: none
@@ -71,13 +71,13 @@ class Static(Program):
         return list(csv.DictReader(self.text(result, "history.csv").splitlines()))
 
     def test_same_bits_on_any_number_of_ranks(self):
-        for ranks in (1, 2, 3, 4):
+        for ranks in of_all((1, 2, 3, 4), (1, 4)):
             self.run_scene(ranks, "pile.yaml", "--out", f"out{ranks}")
         first = self.summary("out1")
         self.assertGreater(first["relaxation"]["steps"], 50)
         self.assertLess(first["relaxation"]["residual"], 1e-3)
         self.assertRegex(self.text("out1", "log.txt"), r"at rest after \d+ steps; .*, the largest displacement is \d\S*")
-        for ranks in (2, 3, 4):
+        for ranks in of_all((2, 3, 4), (4,)):
             self.assertEqual(self.summary(f"out{ranks}")["state_hash"], first["state_hash"])
             self.assertEqual(self.text(f"out{ranks}", "history.csv"), self.text("out1", "history.csv"))
         self.assertLess(first["momentum_error"], 1e-12)

@@ -8,7 +8,7 @@ import random
 import sys
 import unittest
 
-from run_test import Program
+from run_test import Program, of_all
 
 SCENE = """units: none
 mesh:
@@ -52,7 +52,7 @@ def scene(seed):
 
 
 class Strips(Program):
-    seeds = range(1, 11)
+    seeds = range(1, of_all(11, 6))
 
     def test_the_plate_rises_with_the_strip_under_its_middle(self):
         for seed in self.seeds:
@@ -66,7 +66,7 @@ class Strips(Program):
     def test_the_number_of_ranks_changes_no_bit(self):
         self.write("scene.yaml", scene(1)[0])
         found = set()
-        for ranks in (1, 2, 3, 4):
+        for ranks in of_all((1, 2, 3, 4), (1, 3)):
             self.run_scene(ranks, "scene.yaml", "--out", "out", "--force")
             found.add(self.summary("out")["state_hash"])
         self.assertEqual(len(found), 1)
@@ -98,7 +98,7 @@ run: {{end: 0.9, step: 1.0e-3}}
 
 
 class Floors(Program):
-    seeds = [*range(1, 11), 12, 17, 18]
+    seeds = of_all([*range(1, 11), 12, 17, 18], [1, 2, 3, 12, 17, 18])
 
     def test_the_block_keeps_its_speed(self):
         for seed in self.seeds:

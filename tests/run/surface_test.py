@@ -24,7 +24,7 @@ def cube(n, kind="hex"):
     hexes = np.array([[(i + a) + (n + 1) * ((j + b) + (n + 1) * (k + c)) for a, b, c in corners]
                       for k in range(n) for j in range(n) for i in range(n)])
     cells = hexes if kind == "hex" else np.concatenate([hexes[:, tet] for tet in surface.HEX_TETS])
-    return points, [("cube", 0, cells)]
+    return points, [("cube", 0, cells, "hex8" if kind == "hex" else "tet4")]
 
 
 def areas(triangles):
@@ -34,7 +34,7 @@ def areas(triangles):
 
 def cut_area(points, blocks, plane):
     """Area of what lies in the plane of the surface cut open."""
-    shown = np.ones(sum(len(cells) for _, _, cells in blocks), bool)
+    shown = np.ones(sum(len(cells) for _, _, cells, _ in blocks), bool)
     triangles = surface.surface(points, blocks, shown, np.zeros(len(points)), True, [plane])
     normal = np.array(plane[1]) / np.linalg.norm(plane[1])
     in_plane = np.abs((triangles.corners - np.array(plane[0])) @ normal).max(axis=1) < 1e-6
@@ -48,6 +48,20 @@ class Sections(unittest.TestCase):
             shown = np.ones(len(blocks[0][2]), bool)
             whole = surface.surface(points, blocks, shown, np.zeros(len(points)), True)
             self.assertAlmostEqual(areas(whole).sum(), 6, places=12)
+
+    def test_shells_are_seen_once_and_have_no_section(self):
+        points, blocks = cube(1)  # with a square fin on one face, half of it triangles, and a triangle apart
+        points = np.concatenate([points, [(2, 0, 0), (2, 1, 0), (5, 0, 0), (6, 0, 0), (5, 1, 0)]])
+        blocks += [("fin", 1, np.array([[1, 8, 9, 3]]), "quad4"), ("apart", 2, np.array([[10, 11, 12]]), "tri3")]
+        seen = surface.surface(points, blocks, np.ones(3, bool), np.zeros(len(points)), True)
+        self.assertAlmostEqual(areas(seen).sum(), 6 + 1 + 0.5, places=12)
+        hidden = surface.surface(points, blocks, np.array([True, False, True]), np.zeros(len(points)), True)
+        self.assertAlmostEqual(areas(hidden).sum(), 6.5, places=12)
+        cut = surface.surface(points, blocks, np.ones(3, bool), np.zeros(len(points)), True, [(np.array([1.5, 0, 0]), np.array([1.0, 0, 0]))])
+        self.assertAlmostEqual(areas(cut).sum(), 6.5, places=6)  # half of the fin stays
+        on = [("skin", 1, np.array([[4, 5, 7, 6]]), "quad4")]  # a shell on a solid does not take its face away
+        both = surface.surface(points, blocks[:1] + on, np.ones(2, bool), np.zeros(len(points)), True)
+        self.assertAlmostEqual(areas(both).sum(), 7, places=12)
 
     def test_sections_close_what_is_cut_open(self):
         slope = np.array([1, 1, 1]) / math.sqrt(3)

@@ -27,7 +27,7 @@ probes:
   - {name: push, part: rod, field: momentum}
   - {name: spin, part: rod, field: angular_momentum}
   - {name: cut, section: {part: rod, set: head}}
-output: {every: 1.0e-5, fields: [displacement, velocity, stress, plastic_strain, contact_pressure, gap, mass]}
+output: {every: 1.0e-5, fields: [displacement, velocity, stress, plastic_strain, contact_pressure, gap, mass, stress_bottom, stress_top, thickness]}
 """
 UNITS = {"time": "s", "energy": "J", "mass": "kg", "momentum": "N.s", "length": "m", "velocity": "m/s", "force": "N", "moment": "N.m",
          "angular momentum": "N.s.m", "1": ""}

@@ -10,7 +10,7 @@ import unittest
 
 from run_test import Program, variants_asked
 
-VARIANTS = 5
+VARIANTS = 3
 SCENE = """units: none
 mesh:
 {boxes}
