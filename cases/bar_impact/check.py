@@ -127,7 +127,7 @@ def main():
     case.assert_close("energy taken at tolerance 1e-6, turned or not [J]", here.last("contact"),
                       there.last("contact"), 1e-3, "objectivity")
 
-    case.assert_same_on_ranks((1, 2, 3, 4, 7) if case.long else (1, 3), overrides={**placed, **finer})
+    case.assert_same_on_ranks((1, 2, 3, 4, 7) if case.long else (1, 3), restarted=True, overrides={**placed, **finer})
     case.assert_same_after_restart(both, 2.0e-5, overrides={**placed, **finer})
     case.finish()
 

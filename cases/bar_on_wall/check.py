@@ -169,7 +169,7 @@ def main():
         check_plastic(case, "plastic_steel.yaml", element)
         check_plastic(case, "plastic_aluminium.yaml", element)
     small = {"mesh.box.elements": [2, 2, 20], "run.end": 6.0e-5}
-    case.assert_same_on_ranks((1, 2, 3, 4, 7), overrides=small)
+    case.assert_same_on_ranks((1, 2, 3, 4, 7), restarted=True, overrides=small)
     whole = case.run(overrides=small, name="whole")
     case.assert_same_after_restart(whole, 3.0e-5, overrides=small)
     case.finish()

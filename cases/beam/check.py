@@ -131,16 +131,14 @@ def main():
     case = Case(__file__)
     check_discrete_bar(case)
     check_elements(case)
-    for mode in (1, 2, 3):
-        check_bending(case, "cantilever", mode, [50, 1, 4], 2e-2)
-    for mode in (1, 2):
-        check_bending(case, "free", mode, [50, 1, 4], 2e-2)
-    check_bending(case, "cantilever", 2, [100, 1, 8], 1e-2)
-    check_bending(case, "free", 1, [100, 1, 8], 1e-2)
+    for kind, mode in case.of_all((("cantilever", 1), ("cantilever", 2), ("cantilever", 3), ("free", 1), ("free", 2)), (("cantilever", 2), ("free", 2))):
+        check_bending(case, kind, mode, [50, 1, 4], 2e-2)
+    for kind, mode in case.of_all((("cantilever", 2), ("free", 1)), ()):
+        check_bending(case, kind, mode, [100, 1, 8], 1e-2)
     if case.long:
         check_bending(case, "cantilever", 1, [100, 1, 8], 1e-2)
     small = {"mesh.box.elements": [10, 1, 2], "run.end": 2.0e-3, "output.every": 1.0e-3}
-    case.assert_same_on_ranks((1, 2, 3, 4, 7), overrides=small)
+    case.assert_same_on_ranks((1, 2, 3, 4, 7), restarted=True, overrides=small)
     whole = case.run(overrides=small, name="whole")
     case.assert_same_after_restart(whole, 1.0e-3, overrides=small)
     case.finish()

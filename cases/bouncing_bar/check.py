@@ -109,7 +109,7 @@ def main():
     case.table("peaks", ["elements", "peak 1 [1e-3]", "peak 2 [1e-3]", "peak 3 [1e-3]"],
                [[count, *(f"{1e3 * p:.4f}" for p in peak[:3])] for count, peak in heights.items()])
     two = {"run.end": 4}
-    case.assert_same_on_ranks((1, 2, 3, 4, 7) if case.long else (1, 3), overrides=two)
+    case.assert_same_on_ranks((1, 2, 3, 4, 7) if case.long else (1, 3), restarted=True, overrides=two)
     case.assert_same_after_restart(case.run(overrides=two, name="two"), 1.3, overrides=two)
     case.finish()
 

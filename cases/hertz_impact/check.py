@@ -121,7 +121,7 @@ def main():
     case = Case(__file__)
     case.answer(errors)
     scene = case.scene()
-    plane = check(case, "ball on plane", scene, case.run(name="plane", ranks=2))
+    plane = check(case, "ball on plane", scene, case.run(name="plane", ranks=case.of_all(2, 1)))
     if case.long:
         check_mirror(case, scene, plane)
         two = case.scene("two_spheres.yaml")

@@ -26,7 +26,7 @@ def draw(axes, folder, times, colours):
     state = State(folder)
     for k, time in enumerate(times):
         places = state.positions(state.record_at(time))[:, [0, 2]]
-        for (_, _, elements), colour in zip(state.blocks(), colours):
+        for (_, _, elements, _), colour in zip(state.blocks(), colours):
             axes.add_collection(PolyCollection(places[elements[:, SIDE]], facecolors=colour, edgecolors=colour, linewidths=0.8,
                                                alpha=0.15 + 0.85 * k / max(1, len(times) - 1)))
     axes.set(aspect="equal", xlabel="x [m]")

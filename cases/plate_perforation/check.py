@@ -81,7 +81,7 @@ def check_nose(case, nose):
 
 def main():
     case = Case(__file__)
-    result = case.run(ranks=2)
+    result = case.run(ranks=case.of_all(2, 1))
     scene = case.scene()
     impact = -scene["initial"][0]["velocity"][2]
     residual, (mass, speed) = velocity_of(result), plug_of(result, scene["materials"]["weldox"]["density"])
@@ -95,7 +95,7 @@ def main():
     case.assert_within("velocity of the plug / projectile's", 0.95, 1.5, speed / residual, "it flies ahead")
     case.assert_below("deepest penetration / element", result.summary["max_penetration"] / EDGE, 0.01, "none")
     short = {"run.end": 13.5e-6}  # the cone erodes the plate from 8 us on
-    case.assert_same_on_ranks((1, 2, 3, 4) if case.long else (1, 3), scene="conical.yaml", overrides=short)
+    case.assert_same_on_ranks((1, 2, 3, 4) if case.long else (1, 3), restarted=True, scene="conical.yaml", overrides=short)
     middle = case.run("conical.yaml", overrides={**short, "checkpoint.every": 11.0e-6}, name="middle")
     case.assert_within("conical: elements gone when bits are compared", 3, 100, middle.summary["removed_elements"], "some")
     case.assert_same_after_restart(middle, 11.0e-6, scene="conical.yaml", overrides=short)

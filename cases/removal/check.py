@@ -67,7 +67,7 @@ def main():
     case = Case(__file__)
     result = case.run()
     check_blow(case, result, case.scene())
-    case.assert_same_on_ranks((1, 2, 3, 4))
+    case.assert_same_on_ranks((1, 2, 3, 4), restarted=True)
     case.assert_same_after_restart(result, 3.5e-5)
     bared = case.run("bared.yaml", name="bared")
     check_bared(case, bared, case.scene("bared.yaml"))

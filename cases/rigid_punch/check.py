@@ -58,7 +58,7 @@ def main():
     if case.long:
         check(case, "6 elements over the contact radius", case.scene(), case.run(name="fine", ranks=2), 0.03)
     short = {**coarse, "run.steps": 150}
-    case.assert_same_on_ranks((1, 2, 3, 4), overrides=short)
+    case.assert_same_on_ranks((1, 2, 3, 4), restarted=True, overrides=short)
     whole = case.run(overrides={**coarse, "run.end": 0.003}, name="whole")
     case.assert_same_after_restart(whole, 0.002, overrides={**coarse, "run.end": 0.003})
     case.finish()

@@ -126,7 +126,7 @@ def main():
                [[f"{step:g}", *(f"{value:.2e}" for value in error)] for step, error in zip(steps, errors)]
                + [["order", *(f"{numpy.log2(errors[-2][column] / errors[-1][column]):.3f}" for column in (0, 1))]])
     small = {"run.end": 0.2}
-    case.assert_same_on_ranks((1, 2, 3, 4), overrides=small)
+    case.assert_same_on_ranks((1, 2, 3, 4), restarted=True, overrides=small)
     whole = case.run(overrides=small, name="whole")
     case.assert_same_after_restart(whole, 0.1, overrides=small)
     case.finish()

@@ -95,6 +95,7 @@ class Case:
         parser.add_argument("--brunt", default=os.path.join(PROJECT, "build/release/brunt"), help="the program")
         parser.add_argument("--work", default=os.path.join(PROJECT, "build/cases", self.name), help="folder for results")
         parser.add_argument("--long", action="store_true", help="the thorough form of the check")
+        parser.add_argument("--brief", action="store_true", help="as an ordinary test: without what takes longest (of_all); keeps no results")
         parser.add_argument("--one-rank", action="store_true", help="one rank, no comparisons of bits")
         parser.add_argument("--renew", action="store_true", help="do not compare with the stored results: they are to be written anew")
         parser.add_argument("--errors", metavar="RESULT", help="print the errors of this result as JSON, run nothing")
@@ -104,6 +105,10 @@ class Case:
         self.brunt, self.work, self.long = os.path.abspath(given.brunt), os.path.abspath(given.work), given.long
         self.checks, self.tables = [], {}  # as results.py has them
         self.results = {}  # by the name of the run
+
+    def of_all(self, cases, few):
+        """All of them, with --brief those that stand for them."""
+        return few if self.given.brief else cases
 
     def scene(self, name="scene.yaml", overrides=None):
         """The scene as plain data, with overrides {key path: value}: references are computed from its numbers."""
@@ -204,10 +209,12 @@ class Case:
             return
         self.assert_equal(quantity, reference.summary["state_hash"], ours.summary["state_hash"], results.SAME_BITS)
 
-    def assert_same_on_ranks(self, counts=(1, 2, 3), **run_arguments):
-        """The state has the same bits on every number of ranks."""
-        if self.given.one_rank:
+    def assert_same_on_ranks(self, counts=(1, 2, 3), restarted=False, **run_arguments):
+        """The state has the same bits on every number of ranks; with --brief on one and three, and nothing is run where it is
+        restarted on other ranks as well (assert_same_after_restart)."""
+        if self.given.one_rank or self.given.brief and restarted:
             return
+        counts = self.of_all(counts, (1, 3))
         first, *others = [self.run(ranks=n, name=f"hash_np{n}", **run_arguments) for n in counts]
         for count, other in zip(counts[1:], others):
             self.assert_same_state(f"state on {count} ranks", first, other)
@@ -245,6 +252,8 @@ class Case:
 
     def _keep(self):
         """Writes results.json into the work folder, and names where it differs from the stored results; how many differences."""
+        if self.given.brief:
+            return 0
         form = "long" if self.long else "short"
         options = " --long" * self.long + " --one-rank" * self.given.one_rank
         fresh = results.record(PROJECT, f"cases/{self.name}/check.py{options}", self.checks,

@@ -132,7 +132,7 @@ def main():
                         "loop [s]", "time per element and step [ns]"], [bar.line() for bar in bars + others])
 
     small = {"mesh.cylinder.elements": [2, 10], "run.end": 2.0e-5}
-    case.assert_same_on_ranks((1, 2, 3, 4, 7), overrides=small)
+    case.assert_same_on_ranks((1, 2, 3, 4, 7), restarted=True, overrides=small)
     whole = case.run(overrides=small, name="whole")
     case.assert_same_after_restart(whole, 1.0e-5, overrides=small)
     case.finish()

@@ -88,7 +88,7 @@ def main():
         case.assert_energy(two, energy_gate=1e-10, momentum_gate=1e-12)
         check_symmetry(case, label, two.folder, elements)
 
-    case.assert_same_on_ranks((1, 2, 3, 4, 7) if case.long else (1, 2, 3), overrides=refined(2, 8))
+    case.assert_same_on_ranks((1, 2, 3, 4, 7) if case.long else (1, 2, 3), restarted=True, overrides=refined(2, 8))
     case.assert_same_after_restart(case.run(overrides=refined(2, 8), name="blocks_8"), 1.0e-5, overrides=refined(2, 8))
     case.finish()
 

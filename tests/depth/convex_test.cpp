@@ -94,7 +94,7 @@ TEST_CASE("spheres: the depth of their facets, in all metrics", "[oracle]") {
 
 TEST_CASE("random convex pairs have the depth of the Minkowski difference", "[oracle]") {
   for (const bool careful : {false, true}) {
-    const Errors errors = compare(30, 200, careful);
+    const Errors errors = compare(30, 60, careful);
     CHECK(errors.piece < 1e-13);
     CHECK(errors.worse == 0);
     CHECK(errors.walk < (careful ? 1e-8 : 1e-6));   // clearance of the mode

@@ -66,7 +66,8 @@ TEST_CASE("careful: closed forms and interlocked boxes", "[oracle]") {
     }
 }
 
-TEST_CASE("careful: fixed poses of the three pairs within 2 % of the best known values in 95 %", "[oracle]") {
+// cases/mesh_pairs asks the program the same
+TEST_CASE("careful: fixed poses of the three pairs within 2 % of the best known values in 95 %", "[.][long][oracle]") {
   int all = 0, good = 0;
   for (const test::DepthCase& c : test::mesh_pairs()) {
     const depth::Body a = depth::make_body(c.a.surface), b = depth::make_body(c.b.surface);

@@ -138,19 +138,28 @@ Seen shoot(int shots, double speed, unsigned seed, const std::string& erosion, c
   return seen;
 }
 
+void check(unsigned seed, double speed) {
+  const std::string passes = seed % 2 == 0 ? "auto" : "two";
+  const Seen seen = shoot(4, speed, seed, "{damage: 1.0, volume: 0.1}", passes, seed % 3 == 0, 9 * h / speed);
+  CAPTURE(passes, seed, speed, seen.deepest, seen.born, seen.given, seen.gone);
+  CHECK(seen.gone > 0);
+  if (seed != 5 || speed == 1000) CHECK(seen.deepest <= 0.01);  // missed by seed 5: 0.083 and 0.012, before it erodes
+  CHECK(seen.given <= 1e-3);
+  CHECK(seen.energy_error <= 1e-10);
+  CHECK(seen.momentum_error <= 1e-10);
+}
+
 }  // namespace
 
 TEST_CASE("shots at an eroding plate: no node comes deeper than it was when the face appeared", "[law]") {
+  check(1, 500);   // two passes
+  check(2, 1000);  // automatic ones
+  check(3, 1000);  // a tube in two passes
+  check(6, 300);   // and in automatic ones
+}
+
+TEST_CASE("shots at an eroding plate: no node comes deeper than it was when the face appeared: 24 clouds",
+          "[.][long][law]") {
   for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})
-    for (const double speed : {300.0, 500.0, 1000.0}) {
-      const std::string passes = seed % 2 == 0 ? "auto" : "two";
-      const Seen seen = shoot(4, speed, seed, "{damage: 1.0, volume: 0.1}", passes, seed % 3 == 0, 9 * h / speed);
-      CAPTURE(passes, seed, speed, seen.deepest, seen.born, seen.given, seen.gone);
-      CHECK(seen.gone > 0);
-      if (seed != 5 || speed == 1000)
-        CHECK(seen.deepest <= 0.01);  // missed by seed 5: 0.083 and 0.012, before it erodes
-      CHECK(seen.given <= 1e-3);
-      CHECK(seen.energy_error <= 1e-10);
-      CHECK(seen.momentum_error <= 1e-10);
-    }
+    for (const double speed : {300.0, 500.0, 1000.0}) check(seed, speed);
 }

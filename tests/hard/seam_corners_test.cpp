@@ -128,12 +128,15 @@ void check(const Way& way) {
 }  // namespace
 
 TEST_CASE("a cube slides over the point in which four cubes meet", "[law]") {
-  for (const double load : {0.0001, 0.0003, 0.003})
-    for (const double degrees : {0.0, 45.0})
-      for (const bool alike : {true, false}) check({.alike = alike, .load = load, .beside = 0.005, .degrees = degrees});
+  check({.alike = true, .load = 0.0003, .beside = 0.005, .degrees = 45});
+  check({.alike = false, .load = 0.0001, .beside = 0.005, .degrees = 45});
+  check({.alike = false, .load = 0.003, .beside = 0.005, .degrees = 0});
 }
 
 TEST_CASE("a cube slides over the point in which four cubes meet: all ways", "[.][long][law]") {
+  for (const double load : {0.0001, 0.0003, 0.003})
+    for (const double degrees : {0.0, 45.0})
+      for (const bool alike : {true, false}) check({.alike = alike, .load = load, .beside = 0.005, .degrees = degrees});
   // loads under which no bed sags by more than 5 %: with 0.002 seven of them do (5.02 to 6.25 %, where two elements
   // along the slider's edges arrive at 24 m/s), and go over all the same
   for (const double load : {0.0001, 0.0003, 0.001, 0.0015})
@@ -146,12 +149,15 @@ TEST_CASE("a cube slides over the point in which four cubes meet: all ways", "[.
 }
 
 TEST_CASE("a cube that hangs over a rim slides over the end of a seam", "[law]") {
-  for (const double load : {0.00005, 0.0003, 0.0006})
-    for (const double beside : {-0.01, -0.003})
-      for (const bool alike : {true, false}) check({.beds = 2, .alike = alike, .load = load, .beside = beside});
+  check({.beds = 2, .alike = true, .load = 0.00005, .beside = -0.003});
+  check({.beds = 2, .alike = false, .load = 0.0003, .beside = -0.01});
+  check({.beds = 2, .alike = false, .load = 0.0006, .beside = -0.003});
 }
 
 TEST_CASE("a cube that hangs over a rim slides over the end of a seam: all ways", "[.][long][law]") {
+  for (const double load : {0.00005, 0.0003, 0.0006})
+    for (const double beside : {-0.01, -0.003})
+      for (const bool alike : {true, false}) check({.beds = 2, .alike = alike, .load = load, .beside = beside});
   for (const double load : {0.00005, 0.0001, 0.0003, 0.0006})
     for (const bool alike : {true, false})
       for (const int fine : {2, 3, 5})
