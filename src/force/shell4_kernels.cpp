@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "element/shell4.hpp"
 #include "kernels.hpp"
-#include "shell_choice.hpp"
 #include "shell_loop.hpp"
 
 namespace brunt::force {
