@@ -100,6 +100,20 @@ void leave_out(std::span<const model::BorderCorner> border, Quad* slots, const K
   kept.power[batch] = broadcast(0.0);
 }
 
+/// The element with the largest rate; rare. Lanes of padding are ignored: their histories are neither saved nor
+/// restored.
+BRUNT_INLINE void note_rate(Pack rate, std::uint8_t living, int lanes, LocalIndex block, LocalIndex batch,
+                            ElementReport& report, Pack& largest) {
+  if (!any(rate > largest)) return;
+  for (int lane = 0; lane < lanes; ++lane)
+    if (lives(living, lane) && rate[lane] > report.rate) {
+      report.rate = rate[lane];
+      report.block = block;
+      report.element = batch * pack_width + lane;
+    }
+  largest = broadcast(report.rate);
+}
+
 template <class Kernel>
 void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalIndex block_index, const BlockPass& pass) {
   constexpr int nodes = Kernel::nodes;
@@ -145,16 +159,7 @@ void run_block(const Kernel& kernel, const model::ElementBlock& block, LocalInde
     if (watched.baseline != nullptr)
       see_growth<nodes>(out, watched.baseline + std::ptrdiff_t{batch} * 2, lanes, living, report.growth);
 
-    if (any(out.rate > largest)) {  // rare: only if an element has a larger rate than all previous ones
-      // lanes of padding are ignored: their histories are neither saved nor restored
-      for (int lane = 0; lane < lanes; ++lane)
-        if (lives(living, lane) && out.rate[lane] > report.rate) {
-          report.rate = out.rate[lane];
-          report.block = block_index;
-          report.element = batch * pack_width + lane;
-        }
-      largest = broadcast(report.rate);
-    }
+    note_rate(out.rate, living, lanes, block_index, batch, report, largest);
     if (any(~(out.volume > 0.0)) && report.inverted_block < 0) {
       for (int lane = pack_width - 1; lane >= 0; --lane)  // padding repeats the last element
         if (lives(living, lane) && !(out.volume[lane] > 0.0))

@@ -100,27 +100,16 @@ BRUNT_INLINE void see_shell_growth(Pack rate, const Pack* baseline, int lanes, s
     if (lives(living, lane) && rate[lane] > 0) largest = std::max(largest, growth[lane]);
 }
 
-/// The element with the largest rate, and the first without a volume or a rate.
+/// The first element without a volume, or with a rate that gives no step: infinite or not a number.
 template <int nodes>
-BRUNT_INLINE void report_shells(const element::ShellForce<nodes>& out, std::uint8_t living, int lanes,
-                                LocalIndex block_index, LocalIndex batch, ElementReport& report, Pack& largest) {
-  if (any(out.rate > largest)) {
-    for (int lane = 0; lane < lanes; ++lane)
-      if (lives(living, lane) && out.rate[lane] > report.rate) {
-        report.rate = out.rate[lane];
-        report.block = block_index;
-        report.element = batch * pack_width + lane;
-      }
-    largest = broadcast(report.rate);
-  }
-  const double beyond =
-      std::numeric_limits<double>::infinity();  // a rate that is none: a step of zero or without bound
-  const PackMask sound = (out.volume > 0.0) & (out.rate < beyond);
+BRUNT_INLINE void note_lost(const element::ShellForce<nodes>& out, std::uint8_t living, int lanes, LocalIndex block,
+                            LocalIndex batch, ElementReport& report) {
+  const PackMask sound = (out.volume > 0.0) & (out.rate < std::numeric_limits<double>::infinity());
   if (!any(~sound) || report.inverted_block >= 0) return;
   for (int lane = lanes - 1; lane >= 0; --lane)
-    if (lives(living, lane) && !(out.volume[lane] > 0.0 && out.rate[lane] < beyond)) {
+    if (lives(living, lane) && !sound[lane]) {
       report.inverted_element = batch * pack_width + lane;
-      report.inverted_block = block_index;
+      report.inverted_block = block;
     }
 }
 
@@ -173,7 +162,8 @@ void run_shell_block(const Kernel& kernel, const model::ElementBlock& block, Loc
                           watched.linear + std::ptrdiff_t{batch} * linear_entries);
     if (watched.baseline != nullptr)
       see_shell_growth(out.rate, watched.baseline + std::ptrdiff_t{batch} * 2, lanes, living, report.growth);
-    report_shells<nodes>(out, living, lanes, block_index, batch, report, largest);
+    note_rate(out.rate, living, lanes, block_index, batch, report, largest);
+    note_lost<nodes>(out, living, lanes, block_index, batch, report);
   }
 }
 

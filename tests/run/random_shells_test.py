@@ -41,12 +41,13 @@ def scene(draw):
     speed = [draw.uniform(-3, 3) for _ in range(3)]
     hourglass = draw.choice(("stiffness", "elastic", "viscous"))
     element = draw.choice(("shell4", "shell4_full", "shell3"))
-    extra = f", hourglass: {{kind: {hourglass}}}" if element == "shell4" else ""
+    warping = draw.choice(("true", "true", "false"))
+    extra = f", hourglass: {{kind: {hourglass}}}, warping: {warping}" if element == "shell4" else ""
     return f"""units: none
 mesh: [{{{mesh}}}]
 materials: {{m: {draw.choice(LAWS) % values}}}
 parts: {{p: {{material: m, element: {element}, thickness: {10**draw.uniform(-2.5, -0.8):.4f}, points: {points}, rule: {draw.choice(("gauss", "lobatto"))},
-  offset: {draw.choice((0, 0, 0.5, -0.3))}, thinning: {draw.choice(("true", "false"))}, warping: {draw.choice(("true", "true", "false"))}{extra}}}}}
+  offset: {draw.choice((0, 0, 0.5, -0.3))}, thinning: {draw.choice(("true", "false"))}{extra}}}}}
 initial: [{{part: p, rotation: {{axis: [{speed[1]:.2f}, 1, {speed[0]:.2f}], rate: {draw.uniform(0, 4):.2f}}}}},
           {{set: {sets[0]}, velocity: [{speed[0]:.2f}, {speed[1]:.2f}, {speed[2]:.2f}]}}, {{set: {sets[1]}, velocity: [0, {speed[2]:.2f}, 0]}}]
 probes: [{{name: l, part: p, field: angular_momentum}}]

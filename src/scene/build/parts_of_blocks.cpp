@@ -43,6 +43,16 @@ mesh::Shape shape_of(ElementKind kind) {
   }
 }
 
+/// A key that only one-point quadrilaterals have, given to shells of another kind; empty if there is none.
+std::string idle_key(const Input& input, const Part& part, ElementKind kind) {
+  const Hourglass usual;
+  const bool controls = part.hourglass.kind != usual.kind || part.hourglass.coefficient != usual.coefficient;
+  if (part.section.warping && !controls) return "";
+  const char* idle = controls ? "hourglass" : "warping";
+  return fmt::format("{}: invalid {}: {} has nothing that it controls; expected element: shell4, or no {}",
+                     input.at(fmt::format("parts.{}.{}", part.name, idle)), idle, element::name_of(kind), idle);
+}
+
 /// Whether the element of a part, and its thickness, fit the shape of the block; empty if they do.
 std::string fault_of_shape(const Input& input, const Part& part, mesh::Shape shape) {
   const std::string key = "parts." + part.name;
@@ -55,7 +65,7 @@ std::string fault_of_shape(const Input& input, const Part& part, mesh::Shape sha
   if (!cells::is_surface(shape) && part.section.thickness > 0)
     return fmt::format("{}: invalid thickness: the elements of the block are solid; expected no thickness",
                        input.at(key + ".thickness"));
-  return "";
+  return cells::is_surface(shape) && kind != ElementKind::shell4 ? idle_key(input, part, kind) : "";
 }
 
 /// Why a mesh file's block of this name or number is excluded; empty if there is none.
