@@ -142,7 +142,7 @@ StepReport evaluate(const model::Model& model, model::State& state, model::Scrat
   const double kept = state.dt > 0 ? state.dt : std::numeric_limits<double>::infinity();
   report.stable_dt = std::min(all_gone ? kept : control.cfl / largest, control.largest);
   report.dt = bounded_by_damping(model, state, control, next_dt(state, control, report.stable_dt));
-  if (!report.stop && !(report.dt > 0 && std::isfinite(report.dt)))
+  if (!report.stop && !all_gone && !(report.dt > 0 && std::isfinite(report.dt)))
     throw GuardError(
         fmt::format("out of range: the elements bound the step by {:g} at t = {:g}, since their masses or stiffnesses "
                     "are beyond the "
